@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace vocalis::acoustic {
+
+enum class AcousticBoundaryKind {
+  rigid,             ///< u·n = 0; what an unnamed boundary is
+  admittance,        ///< u·n = µ p / (ρ c)
+  open,              ///< first-order spherical: u·n = p / (ρ c) + 1 / (ρ R) ∫ p dt
+  pressure_release,  ///< p = 0
+  flux               ///< where the prescribed source enters: -u·n = g(t)
+};
+
+struct AcousticBoundary {
+  std::string group;
+  AcousticBoundaryKind kind = AcousticBoundaryKind::rigid;
+  double admittance = 0.005;                  ///< µ [-], specific
+  double radius = 0;                          ///< R [m] of the open sphere (circle in 2-D); 0: plane
+};
+
+/// One acoustic solver: its medium, boundaries and step.
+struct AcousticSettings {
+  std::string name = "sound";
+  std::string analogy = "pressure_rate";
+  double speed_of_sound = 350;                ///< c [m/s]
+  double density = 1.2;                       ///< ρ [kg/m^3]
+  double wall_admittance = 0;                 ///< µ [-] of every boundary that is not named; 0: rigid
+  double step = 0;                            ///< largest sub-step [s], > 0
+  double theta = 0.5;                         ///< ½: Crank–Nicolson, no dissipation
+  double solver_tolerance = 1e-10;            ///< relative residual of the pressure system
+  double source_fade_in = 0;                  ///< [s] over which the analogy's source rises
+  std::vector<AcousticBoundary> boundaries;
+};
+
+struct MicrophoneSettings {
+  std::string name;
+  std::array<double, 3> position = {0, 0, 0};  ///< [m]
+};
+
+}  // namespace vocalis::acoustic
