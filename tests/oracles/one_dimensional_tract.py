@@ -1,0 +1,256 @@
+#!/usr/bin/python3
+"""Resonances of vocal tracts and tubes from lossless one-dimensional transfer matrices.
+
+The oracle of the acoustic cases: numpy alone, independent of the solver. A duct is a chain of short cylinders,
+
+    p_in = cos(kl) p_out + i (rho c / A) sin(kl) U_out,    U_in = i (A / rho c) sin(kl) p_out + cos(kl) U_out,
+
+time convention exp(+i omega t), ended by a radiation impedance. Driven by a volume velocity at the closed glottis, it
+resonates where |U_lips / U_glottis| peaks. In the plane A is the height, a volume velocity per metre of depth.
+
+Run it to print the tables quoted in cases/*/README.md; `--check` compares them with the published numbers.
+"""
+
+import math
+import sys
+
+import numpy
+
+SPEED_OF_SOUND = 350.0  # [m/s]
+DENSITY = 1.14  # [kg/m^3]
+
+# Story, Titze and Hoffman 1996, J. Acoust. Soc. Am. 100, 537: /i/, glottis to lips [m^2]; sections of 350 / (2 * 44100) m.
+STORY_SECTION = 0.00396825
+STORY_I = 1e-4 * numpy.array([
+    0.33, 0.30, 0.36, 0.34, 0.68, 0.50, 2.43, 3.15, 2.66, 2.49, 3.39, 3.80, 3.78, 4.35, 4.50, 4.43, 4.68, 4.52, 4.15,
+    4.09, 3.51, 2.95, 2.03, 1.66, 1.38, 1.05, 0.60, 0.35, 0.32, 0.12, 0.10, 0.16, 0.25, 0.24, 0.38, 0.28, 0.36, 0.65,
+    1.58, 2.05, 2.01, 1.58])
+
+
+def bessel_j1(x, terms=40):
+    """J1 by its power series; double precision is kept for |x| < 12."""
+    x = numpy.asarray(x, dtype=float)
+    return sum((-1) ** m * (x / 2) ** (2 * m + 1) / (math.factorial(m) * math.factorial(m + 1)) for m in range(terms))
+
+
+def struve_h1(x, terms=40):
+    """The Struve function H1 by its power series; double precision is kept for |x| < 12."""
+    x = numpy.asarray(x, dtype=float)
+    return sum((-1) ** m * (x / 2) ** (2 * m + 2) / (math.gamma(m + 1.5) * math.gamma(m + 2.5)) for m in range(terms))
+
+
+def circular_piston(ka):
+    """Z / (rho c) of a circular piston of radius a in an infinite baffle: 1 - J1(2ka)/ka + i H1(2ka)/ka (Rayleigh)."""
+    return 1 - bessel_j1(2 * ka) / ka + 1j * struve_h1(2 * ka) / ka
+
+
+def strip_piston(ka, terms=30):
+    """Z / (rho c) of a strip of half width a in an infinite baffle in the plane, averaged over the strip.
+
+    Z = (k / 2a) int_0^2a (2a - s) H0^(2)(k s) ds, each term of the series of J0 and Y0 integrated exactly:
+    with b = 2a, int (b-s) s^n ds = b^(n+2)/((n+1)(n+2)) and
+    int (b-s) s^n ln(s) ds = that * (ln b - 1/(n+1) - 1/(n+2)).
+    """
+    x = 2 * numpy.asarray(ka, dtype=float)
+    j0 = numpy.zeros_like(x)
+    y0 = numpy.zeros_like(x)
+    harmonic = 0.0
+    for m in range(terms):
+        if m > 0:
+            harmonic += 1 / m
+        n = 2 * m
+        coefficient = (-1) ** m / (math.factorial(m) ** 2 * 4.0 ** m)
+        integral = x ** (n + 2) / ((n + 1) * (n + 2))
+        logarithm = integral * (numpy.log(x / 2) - 1 / (n + 1) - 1 / (n + 2))
+        j0 += coefficient * integral
+        y0 += 2 / math.pi * coefficient * (logarithm + (numpy.euler_gamma - harmonic) * integral)
+    return (j0 - 1j * y0) / x
+
+
+def chain(lengths, areas, wavenumber, admittance=0.0):
+    """The 2 x 2 transfer matrix (p, U) of cylinders from the first to the last; entries one per frequency.
+
+    admittance  of locally reacting walls, times rho c; circular sections: k^2 -> k^2 - i k admittance S / A
+    """
+    impedance = DENSITY * SPEED_OF_SOUND
+    a, b = numpy.ones_like(wavenumber, dtype=complex), numpy.zeros_like(wavenumber, dtype=complex)
+    c, d = numpy.zeros_like(a), numpy.ones_like(a)
+    for length, area in zip(lengths, areas):
+        perimeter = 2 * math.sqrt(math.pi * area)
+        inside = numpy.sqrt(wavenumber ** 2 - 1j * wavenumber * admittance * perimeter / area + 0j)
+        ratio = wavenumber / inside
+        cosine, sine = numpy.cos(inside * length), numpy.sin(inside * length)
+        up, down = 1j * sine * impedance * ratio / area, 1j * sine * area / (impedance * ratio)
+        a, b = a * cosine + b * down, a * up + b * cosine
+        c, d = c * cosine + d * down, c * up + d * cosine
+    return a, b, c, d
+
+
+def story_cylinders(areas=STORY_I):
+    """The paper's own picture: one right cylinder a section."""
+    return numpy.full(len(areas), STORY_SECTION), numpy.asarray(areas)
+
+
+def linear_between_centres(areas, size_of_area, area_of_size, pieces=12):
+    """A size (radius, half height) linear between the centres of sections, constant in the first and last half."""
+    size = size_of_area(numpy.asarray(areas))
+    fraction = (numpy.arange(pieces) + 0.5) / pieces
+    inner = (size[:-1, None] * (1 - fraction) + size[1:, None] * fraction).ravel()
+    lengths = numpy.concatenate(([STORY_SECTION / 2], numpy.full(inner.size, STORY_SECTION / pieces), [STORY_SECTION / 2]))
+    return lengths, area_of_size(numpy.concatenate(([size[0]], inner, [size[-1]])))
+
+
+def conical(areas=STORY_I, pieces=12):
+    """Circular sections, radius linear between centres: the geometry of cases/vowel_i/tract.geo."""
+    return linear_between_centres(areas, lambda a: numpy.sqrt(a / math.pi), lambda r: math.pi * r ** 2, pieces)
+
+
+def planar(depth=0.015, areas=STORY_I, pieces=12):
+    """Plane sections of full height area / depth, linear between centres: cases/vowel_i/larynx.geo [m]."""
+    return linear_between_centres(areas, lambda a: a / depth, lambda h: h, pieces)
+
+
+def transfer(frequencies, ducts, radiation, shunt=None, admittance=0.0):
+    """U_lips / U_source. radiation: Z / (rho c) of wavenumber; shunt: admittance seen backwards at the source."""
+    k = 2 * math.pi * frequencies / SPEED_OF_SOUND
+    lengths, areas = ducts
+    a, b, c, d = chain(lengths, areas, k, admittance)
+    load = radiation(k) * DENSITY * SPEED_OF_SOUND / areas[-1]
+    entering = c * load + d
+    if shunt is not None:
+        entering = entering + shunt(k) * (a * load + b)
+    return 1 / entering
+
+
+def closed_end_admittance(lengths, areas, k, end=0.0):
+    """U / p looking into cylinders that end with the normalised admittance `end` (0 rigid, 1 absorbing)."""
+    a, b, c, d = chain(lengths, areas, k)
+    ending = end * areas[-1] / (DENSITY * SPEED_OF_SOUND)
+    return (c + d * ending) / (a + b * ending)
+
+
+def peaks(frequencies, response):
+    """Frequencies [Hz] and 3 dB bandwidths [Hz, nan if none] of the local maxima of |response|."""
+    level = numpy.abs(response)
+    found = []
+    for i in numpy.flatnonzero((level[1:-1] > level[:-2]) & (level[1:-1] >= level[2:])) + 1:
+        left, right = i, i
+        half = level[i] / math.sqrt(2)
+        while left > 0 and level[left] > half:
+            left -= 1
+        while right < level.size - 1 and level[right] > half:
+            right += 1
+        bounded = level[left] <= half and level[right] <= half
+        found.append((frequencies[i], frequencies[right] - frequencies[left] if bounded else math.nan))
+    return found
+
+
+def no_radiation(k):
+    return numpy.zeros_like(k, dtype=complex)
+
+
+def larynx_shunt(half_gap, lungs, subglottal_length=0.02):
+    """Admittance of glottis (M5 fold, cut into slices) and subglottal duct, in the plane; lungs: 0 rigid, 1 absorbing."""
+    x = numpy.linspace(0, 0.7807, 79)
+    middle = (x[1:] + x[:-1]) / 2
+    fold = numpy.interp(middle, [0, 0.36579, 0.39610, 0.43269, 0.47285, 0.67683, 0.71616, 0.74994, 0.77268, 0.7807],
+                        [0, 0.43593, 0.46338, 0.48162, 0.48931, 0.5, 0.49403, 0.47303, 0.44040, 0.40144])
+    heights = 2 * (half_gap + 1e-2 * (0.5 - fold))[::-1]
+    lengths = numpy.append(numpy.diff(x)[::-1] * 1e-2, subglottal_length)
+    heights = numpy.append(heights, 2 * (half_gap + 0.005))
+    return lambda k: closed_end_admittance(lengths, heights, k, lungs)
+
+
+def with_ventricle(ducts, half_gap, depth=0.015, base=0.0006, length=0.002, slices=20):
+    """The first `length` of a plane tract opened to the wedge-shaped ventricle of larynx.geo: as high as the laryngeal
+    duct over `base`, then falling linearly to the tract's first height."""
+    duct, tract = 2 * (half_gap + 0.005), STORY_I[0] / depth
+    middle = (numpy.arange(slices) + 0.5) / slices
+    lengths = [base] + [(length - base) / slices] * slices
+    heights = [duct] + (duct + (tract - duct) * middle).tolist()
+    replaced = length
+    for piece, height in zip(*ducts):
+        used = min(piece, replaced)
+        replaced -= used
+        if piece > used:
+            lengths.append(piece - used)
+            heights.append(height)
+    return numpy.array(lengths), numpy.array(heights)
+
+
+def tables(step=0.5):
+    """All tables, name -> list of (frequency, bandwidth)."""
+    f = numpy.arange(50.0, 5000.0, step)
+    round_mouth = math.sqrt(STORY_I[-1] / math.pi)
+    depth = 0.015
+    flat_mouth = STORY_I[-1] / depth / 2
+
+    def piston(radius):
+        return lambda k: circular_piston(k * radius)
+
+    def strip(half_width):
+        return lambda k: strip_piston(k * half_width)
+
+    tube = (numpy.array([0.17]), numpy.array([math.pi * 1e-4]))
+    flat_tube = (numpy.array([0.17]), numpy.array([0.02]))
+    result = {
+        "tube 0.17 m, p = 0": peaks(f, transfer(f, tube, no_radiation)),
+        "tube 0.17 m, a = 1 cm, baffle": peaks(f, transfer(f, tube, piston(0.01))),
+        "plane tube 0.17 m, half height 1 cm, baffle": peaks(f, transfer(f, flat_tube, strip(0.01))),
+        "/i/ cylinders, p = 0": peaks(f, transfer(f, story_cylinders(), no_radiation)),
+        "/i/ cylinders, baffle": peaks(f, transfer(f, story_cylinders(), piston(round_mouth))),
+        "/i/ cylinders, baffle, wall admittance 0.005": peaks(
+            f, transfer(f, story_cylinders(), piston(round_mouth), admittance=0.005)),
+        "/i/ conical, p = 0": peaks(f, transfer(f, conical(), no_radiation)),
+        "/i/ conical, baffle": peaks(f, transfer(f, conical(), piston(round_mouth))),
+        "/i/ conical, baffle, wall admittance 0.005": peaks(
+            f, transfer(f, conical(), piston(round_mouth), admittance=0.005)),
+        "/i/ plane, baffle": peaks(f, transfer(f, planar(depth), strip(flat_mouth))),
+    }
+    for half_gap in (1e-4, 2.5e-4, 5e-4):
+        ducts = with_ventricle(planar(depth), half_gap)
+        gap = f"half gap {half_gap * 1e3:g} mm"
+        result[f"/i/ plane, ventricle, {gap}, closed glottis"] = peaks(f, transfer(f, ducts, strip(flat_mouth)))
+        for name, lungs in (("rigid", 0.0), ("absorbing", 1.0)):
+            response = transfer(f, ducts, strip(flat_mouth), larynx_shunt(half_gap, lungs))
+            result[f"/i/ plane, ventricle, {gap}, {name} lungs"] = peaks(f, response)
+    return result
+
+
+def check(result):
+    """Agreement with published values [Hz]; returns the list of disagreements."""
+    published = {
+        "tube 0.17 m, p = 0": ([514.7, 1544.1, 2573.5, 3602.9, 4632.4], 0.5),
+        "tube 0.17 m, a = 1 cm, baffle": ([490.3, 1472.8, 2460.2, 3453.2, 4451.5], 0.5),
+        "/i/ cylinders, p = 0": ([224, 2489, 3567, 3990, 4799], 1.0),
+        "/i/ cylinders, baffle": ([223, 2482, 3165, 3860, 4664], 1.0),
+        "/i/ cylinders, baffle, wall admittance 0.005": ([219, 2486, 3178], 2.0),
+        "/i/ conical, baffle": ([226, 2497, 3193, 3916], 1.0),
+    }
+    wrong = []
+    for name, (values, tolerance) in published.items():
+        found = [frequency for frequency, _ in result[name]]
+        for value, computed in zip(values, found + [math.nan] * len(values)):
+            if not abs(value - computed) <= tolerance:
+                wrong.append(f"{name}: expected {value} Hz, found {computed} Hz")
+    for ka, resistance, reactance in ((0.1, 0.004992, 0.084657), (1, 0.423275, 0.646768), (5, 0.991305, 0.178366)):
+        z = circular_piston(numpy.array([float(ka)]))[0]
+        if abs(z - complex(resistance, reactance)) > 5e-6:
+            wrong.append(f"piston at ka = {ka}: expected {resistance} + i {reactance}, found {z}")
+    return wrong
+
+
+def main(arguments):
+    result = tables()
+    for name, row in result.items():
+        text = "  ".join(f"{frequency:7.1f} ({bandwidth:.0f})" for frequency, bandwidth in row)
+        print(f"{name:58s} {text}")
+    if "--check" not in arguments:
+        return 0
+    wrong = check(result)
+    print("\n".join(wrong) if wrong else "agrees with the published values")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
