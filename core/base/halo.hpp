@@ -1,11 +1,12 @@
 #pragma once
 
-#include <petscsftypes.h>
-
 #include <cstdint>
 #include <span>
 
 #include "core/base/index_map.hpp"
+
+/// PETSc's star forest, by its own name.
+typedef struct _p_PetscSF* PetscSF;
 
 namespace vocalis::base {
 

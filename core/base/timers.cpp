@@ -1,0 +1,60 @@
+#include "core/base/timers.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/base/mpi.hpp"
+
+namespace vocalis::base {
+
+namespace {
+
+Timers::Phase& find_or_add(std::vector<Timers::Phase>& phases, std::string_view name) {
+  const auto found =
+      std::find_if(phases.begin(), phases.end(), [&](const Timers::Phase& phase) { return phase.name == name; });
+  if (found != phases.end()) return *found;
+  return phases.emplace_back(Timers::Phase{std::string(name), 0, 0});
+}
+
+}  // namespace
+
+Timers::Scope::Scope(Timers& timers, std::string_view name)
+    : timers_(timers), name_(name), start_(std::chrono::steady_clock::now()) {}
+
+Timers::Scope::~Scope() {
+  timers_.add(name_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
+}
+
+void Timers::add(std::string_view name, double seconds) {
+  Phase& phase = find_or_add(phases_, name);
+  phase.seconds += seconds;
+  ++phase.calls;
+}
+
+std::vector<Timers::Phase> Timers::largest_over_ranks(MPI_Comm comm) const {
+  std::vector<char> names;
+  std::vector<double> seconds;
+  std::vector<std::int64_t> calls;
+  for (const Phase& phase : phases_) {
+    names.insert(names.end(), phase.name.begin(), phase.name.end());
+    names.push_back('\n');
+    seconds.push_back(phase.seconds);
+    calls.push_back(phase.calls);
+  }
+  const std::vector<char> all_names = concatenate_all(comm, names);
+  const std::vector<double> all_seconds = concatenate_all(comm, seconds);
+  const std::vector<std::int64_t> all_calls = concatenate_all(comm, calls);
+
+  std::vector<Phase> result;
+  auto start = all_names.begin();
+  for (std::size_t i = 0; i < all_seconds.size(); ++i) {
+    const auto end = std::find(start, all_names.end(), '\n');
+    Phase& phase = find_or_add(result, std::string(start, end));
+    phase.seconds = std::max(phase.seconds, all_seconds[i]);
+    phase.calls = std::max(phase.calls, static_cast<long>(all_calls[i]));
+    start = end + 1;
+  }
+  return result;
+}
+
+}  // namespace vocalis::base

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vocalis::base {
+
+/// Wall seconds of named phases, added up. `const auto scope = timers.scope("flow.assemble");` times its own scope.
+class Timers {
+ public:
+  struct Phase {
+    std::string name;
+    double seconds = 0;  ///< [s]
+    long calls = 0;
+  };
+
+  class Scope {
+   public:
+    Scope(Timers& timers, std::string_view name);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Timers& timers_;
+    std::string_view name_;
+    std::chrono::steady_clock::time_point start_;
+  };
+
+  /// `name` must outlive the scope; it is a literal.
+  [[nodiscard]] Scope scope(std::string_view name) { return {*this, name}; }
+  void add(std::string_view name, double seconds);
+
+  /// The phases of this rank, in the order in which they first ended.
+  const std::vector<Phase>& phases() const { return phases_; }
+  /// The phases of all ranks, each with the largest seconds and calls of any rank; ranks may have timed different
+  /// phases. In the order of the lowest rank that has them. Collective.
+  std::vector<Phase> largest_over_ranks(MPI_Comm comm) const;
+
+ private:
+  std::vector<Phase> phases_;
+};
+
+}  // namespace vocalis::base
