@@ -1,0 +1,182 @@
+#include "acoustic_solver/resample.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.hpp"
+
+namespace vocalis::acoustic {
+
+namespace {
+
+// Kaiser 1974: 100 dB need beta = 0.1102 (100 - 8.7), and a transition as wide as 0.1 Nyquist frequencies needs
+// (100 - 7.95) / (14.36 * 0.05) = 128 samples at the lower rate, half of them on each side.
+constexpr double kaiser_beta = 10.06;
+constexpr double pass_edge = 0.9;
+constexpr int half_width = 65;
+constexpr int points_per_sample = 2048;  // linear interpolation in the table is then exact to 3e-7
+
+/// Low-pass kernel h(x) as a table; x in samples at the lower rate, h even and zero beyond half_width.
+class Kernel {
+ public:
+  Kernel() : table_(static_cast<std::size_t>(half_width * points_per_sample + 2), 0.0) {
+    constexpr double cutoff = 0.5 * (1 + pass_edge);  // middle of the transition, in Nyquist frequencies
+    for (int i = 0; i < half_width * points_per_sample; ++i) {
+      const double x = static_cast<double>(i) / points_per_sample;
+      const double angle = std::numbers::pi * cutoff * x;
+      const double sinc = i == 0 ? 1.0 : std::sin(angle) / angle;
+      const double ratio = x / half_width;
+      table_[static_cast<std::size_t>(i)] =
+          cutoff * sinc * bessel_i0(kaiser_beta * std::sqrt(1 - ratio * ratio)) / bessel_i0(kaiser_beta);
+    }
+  }
+
+  double operator()(double x) const {
+    const double place = std::abs(x) * points_per_sample;
+    const auto index = static_cast<std::size_t>(place);
+    if (index + 1 >= table_.size()) return 0;
+    const double part = place - static_cast<double>(index);
+    return (1 - part) * table_[index] + part * table_[index + 1];
+  }
+
+ private:
+  static double bessel_i0(double x) {
+    double sum = 1;
+    double term = 1;
+    for (int k = 1; term > 1e-17 * sum; ++k) {
+      term *= (x / (2 * k)) * (x / (2 * k));
+      sum += term;
+    }
+    return sum;
+  }
+
+  std::vector<double> table_;
+};
+
+/// Value at an index that may lie outside: point reflection about the first or the last sample, once; constant further.
+double reflected(std::span<const double> values, std::int64_t index) {
+  const auto last = static_cast<std::int64_t>(values.size()) - 1;
+  const auto at = [&](std::int64_t i) {
+    return values[static_cast<std::size_t>(std::clamp<std::int64_t>(i, 0, last))];
+  };
+  if (index < 0) return 2 * values.front() - at(-index);
+  if (index > last) return 2 * values.back() - at(2 * last - index);
+  return at(index);
+}
+
+std::vector<double> resample(std::span<const double> values, double rate, double target_rate, double lower_rate) {
+  assert(rate > 0 && target_rate > 0);
+  std::vector<double> result;
+  if (values.empty()) return result;
+  static const Kernel kernel;
+  const double duration = static_cast<double>(values.size() - 1) / rate;
+  const auto count = static_cast<std::int64_t>(std::floor(duration * target_rate + 1e-6)) + 1;
+  result.reserve(static_cast<std::size_t>(count));
+  const double scale = lower_rate / rate;  // samples at the lower rate per sample of the series
+  const auto last = static_cast<std::int64_t>(values.size()) - 1;
+  for (std::int64_t k = 0; k < count; ++k) {
+    const double place = static_cast<double>(k) * rate / target_rate;
+    const auto begin = static_cast<std::int64_t>(std::ceil(place - half_width / scale));
+    const auto end = static_cast<std::int64_t>(std::floor(place + half_width / scale));
+    const bool inside = begin >= 0 && end <= last;
+    double sum = 0;
+    for (std::int64_t n = begin; n <= end; ++n) {
+      const double value = inside ? values[static_cast<std::size_t>(n)] : reflected(values, n);
+      sum += value * kernel((place - static_cast<double>(n)) * scale);
+    }
+    result.push_back(scale * sum);
+  }
+  return result;
+}
+
+/// Slope at x[0] of the polynomial through the given points (Lagrange).
+double end_slope(std::span<const double> x, std::span<const double> y) {
+  double slope = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    double weight = 1 / (x[i] - x[0]);
+    for (std::size_t j = 1; j < x.size(); ++j) {
+      if (j != i) weight *= (x[0] - x[j]) / (x[i] - x[j]);
+    }
+    slope += weight * (y[i] - y[0]);
+  }
+  return slope;
+}
+
+/// Slopes of the spline at its points: continuity of the second derivative, solved by the Thomas algorithm.
+std::vector<double> spline_slopes(std::span<const double> x, std::span<const double> y) {
+  const std::size_t count = x.size();
+  const std::size_t few = std::min<std::size_t>(4, count);
+  std::vector<double> x_back(x.rbegin(), x.rbegin() + static_cast<std::ptrdiff_t>(few));
+  std::vector<double> y_back(y.rbegin(), y.rbegin() + static_cast<std::ptrdiff_t>(few));
+  std::vector<double> slope(count);
+  std::vector<double> upper(count, 0.0);
+  slope[0] = end_slope(x.first(few), y.first(few));
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const double left = x[i] - x[i - 1];
+    const double right = x[i + 1] - x[i];
+    const double load = 3 * ((y[i] - y[i - 1]) / left * right + (y[i + 1] - y[i]) / right * left);
+    const double pivot = 2 * (left + right) - right * upper[i - 1];
+    upper[i] = left / pivot;
+    slope[i] = (load - right * slope[i - 1]) / pivot;
+  }
+  slope[count - 1] = end_slope(x_back, y_back);
+  for (std::size_t i = count - 1; i-- > 1;) slope[i] -= upper[i] * slope[i + 1];
+  return slope;
+}
+
+}  // namespace
+
+std::vector<double> resample(std::span<const double> values, double rate, double target_rate) {
+  return resample(values, rate, target_rate, std::min(rate, target_rate));
+}
+
+std::vector<double> spline_to_uniform(std::span<const double> times, std::span<const double> values, double step,
+                                      int count) {
+  assert(times.size() == values.size() && times.size() >= 2);
+  const std::vector<double> slope = spline_slopes(times, values);
+  std::vector<double> result(static_cast<std::size_t>(count));
+  std::size_t i = 0;
+  for (int k = 0; k < count; ++k) {
+    const double time = times[0] + k * step;
+    while (i + 2 < times.size() && time > times[i + 1]) ++i;
+    const double width = times[i + 1] - times[i];
+    const double s = (time - times[i]) / width;
+    // Cubic Hermite polynomial of the interval.
+    result[static_cast<std::size_t>(k)] = (1 + 2 * s) * (1 - s) * (1 - s) * values[i] +
+                                          s * (1 - s) * (1 - s) * width * slope[i] +
+                                          s * s * (3 - 2 * s) * values[i + 1] - s * s * (1 - s) * width * slope[i + 1];
+  }
+  return result;
+}
+
+std::vector<double> resample(std::span<const double> times, std::span<const double> values, double target_rate) {
+  assert(times.size() == values.size());
+  if (times.size() < 2) return {values.begin(), values.end()};
+  const double duration = times.back() - times.front();
+  const double mean_step = duration / static_cast<double>(times.size() - 1);
+  double smallest = mean_step;
+  double largest = mean_step;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double step = times[i] - times[i - 1];
+    if (!(step > 0)) {
+      throw base::UserError("the times of a series must increase",
+                            fmt::format("{} s after {} s", times[i], times[i - 1]),
+                            "sort the rows by time and drop those that are there twice");
+    }
+    smallest = std::min(smallest, step);
+    largest = std::max(largest, step);
+  }
+  const double mean_rate = 1 / mean_step;
+  if (largest - smallest <= 1e-6 * mean_step) return resample(values, mean_rate, target_rate);
+  const double step = std::max(smallest, mean_step / 16);
+  const int count = static_cast<int>(std::floor(duration / step * (1 + 1e-12))) + 1;
+  const std::vector<double> uniform = spline_to_uniform(times, values, step, count);
+  std::vector<double> result = resample(uniform, 1 / step, target_rate, std::min(mean_rate, target_rate));
+  return result;
+}
+
+}  // namespace vocalis::acoustic
