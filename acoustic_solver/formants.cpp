@@ -1,0 +1,169 @@
+#include "acoustic_solver/formants.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "acoustic_solver/dense.hpp"
+#include "acoustic_solver/resample.hpp"
+
+namespace vocalis::acoustic {
+
+namespace {
+
+constexpr double safety_margin = 50;  // Praat drops formants this near to 0 and to the ceiling [Hz]
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// The formants of one frame: poles of the prediction filter, put inside the unit circle.
+std::vector<Formant> formants_of_frame(std::span<const double> frame, double rate, const LinearPrediction& settings) {
+  std::vector<double> coefficients = burg_coefficients(frame, 2 * settings.formants);
+  for (double& coefficient : coefficients) coefficient = -coefficient;
+  std::vector<Formant> formants;
+  for (std::complex<double> root : polynomial_roots(coefficients)) {
+    if (root.imag() <= 0) continue;
+    if (std::abs(root) > 1) root = 1.0 / std::conj(root);
+    const double frequency = std::arg(root) * rate / (2 * std::numbers::pi);
+    if (frequency < safety_margin || frequency > 0.5 * rate - safety_margin) continue;
+    Formant formant;
+    formant.frequency = frequency;
+    formant.bandwidth = -std::log(std::abs(root)) * rate / std::numbers::pi;
+    if (formant.bandwidth <= settings.maximum_bandwidth) formants.push_back(formant);
+  }
+  std::sort(formants.begin(), formants.end(),
+            [](const Formant& a, const Formant& b) { return a.frequency < b.frequency; });
+  return formants;
+}
+
+/// Praat's Gaussian-like window, zero at its ends: (exp(-12 x^2) - exp(-12)) / (1 - exp(-12)), -1 < x < 1.
+std::vector<double> gaussian_window(std::size_t length) {
+  std::vector<double> window(length);
+  const double edge = std::exp(-12.0);
+  for (std::size_t n = 0; n < length; ++n) {
+    const double x = (2 * static_cast<double>(n) - static_cast<double>(length - 1)) / static_cast<double>(length + 1);
+    window[n] = (std::exp(-12 * x * x) - edge) / (1 - edge);
+  }
+  return window;
+}
+
+/// Last place where the level still falls (direction = 1: to the right, -1: to the left) from a peak.
+std::size_t valley(std::span<const double> level, std::size_t peak, int direction, double stop_above) {
+  std::size_t lowest = peak;
+  for (std::size_t k = peak; direction > 0 ? k + 1 < level.size() : k > 0;) {
+    k = direction > 0 ? k + 1 : k - 1;
+    if (std::isnan(level[k]) || level[k] > stop_above) break;
+    if (level[k] < level[lowest]) lowest = k;
+  }
+  return lowest;
+}
+
+/// Distance [bins] from the peak's bin to where the level has fallen to `target`; not a number if it never does.
+double fall(std::span<const double> level, std::size_t peak, std::size_t end, double target) {
+  const int direction = end > peak ? 1 : -1;
+  for (std::size_t k = peak; k != end;) {
+    const std::size_t next = direction > 0 ? k + 1 : k - 1;
+    if (level[next] <= target) {
+      const double part = (level[k] - target) / (level[k] - level[next]);
+      const double whole = direction > 0 ? static_cast<double>(k - peak) : static_cast<double>(peak - k);
+      return whole + part;
+    }
+    k = next;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+std::vector<double> burg_coefficients(std::span<const double> series, int order) {
+  assert(series.size() > static_cast<std::size_t>(order));
+  std::vector<double> forward(series.begin(), series.end());
+  std::vector<double> backward = forward;
+  std::vector<double> coefficients;
+  for (std::size_t m = 1; m <= static_cast<std::size_t>(order); ++m) {
+    double cross = 0;
+    double power = 0;
+    for (std::size_t n = m; n < series.size(); ++n) {
+      cross += forward[n] * backward[n - 1];
+      power += forward[n] * forward[n] + backward[n - 1] * backward[n - 1];
+    }
+    const double reflection = power > 0 ? 2 * cross / power : 0.0;
+    std::vector<double> next = coefficients;
+    for (std::size_t k = 0; k < coefficients.size(); ++k) next[k] -= reflection * coefficients[m - 2 - k];
+    next.push_back(reflection);
+    coefficients = next;
+    for (std::size_t n = series.size(); n-- > m;) {
+      const double ahead = forward[n];
+      forward[n] -= reflection * backward[n - 1];
+      backward[n] = backward[n - 1] - reflection * ahead;
+    }
+  }
+  return coefficients;
+}
+
+std::vector<Formant> formants_by_prediction(std::span<const double> series, double sampling_rate,
+                                            const LinearPrediction& settings) {
+  assert(settings.formants > 0 && settings.ceiling > 2 * safety_margin && settings.window_length > 0);
+  const double rate = 2 * settings.ceiling;
+  const int order = 2 * settings.formants;
+  std::vector<double> sound = resample(series, sampling_rate, rate);
+  if (sound.size() < static_cast<std::size_t>(2 * order + 2)) return {};
+  const double factor = std::exp(-2 * std::numbers::pi * settings.pre_emphasis / rate);
+  for (std::size_t n = sound.size(); n-- > 1;) sound[n] -= factor * sound[n - 1];
+  if (settings.window == LinearPrediction::Window::none) {
+    return formants_of_frame(std::span(sound).subspan(1), rate, settings);
+  }
+  const auto length = std::min(sound.size(), static_cast<std::size_t>(std::lround(2 * settings.window_length * rate)));
+  const auto step =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(0.25 * settings.window_length * rate)));
+  if (length < static_cast<std::size_t>(2 * order + 2)) return {};
+  const std::vector<double> window = gaussian_window(length);
+  std::vector<std::vector<Formant>> frames;
+  std::vector<double> frame(length);
+  for (std::size_t begin = 0; begin + length <= sound.size(); begin += step) {
+    for (std::size_t n = 0; n < length; ++n) frame[n] = window[n] * sound[begin + n];
+    frames.push_back(formants_of_frame(frame, rate, settings));
+  }
+  std::vector<Formant> result;
+  for (std::size_t k = 0;; ++k) {
+    std::vector<double> frequencies;
+    std::vector<double> bandwidths;
+    for (const auto& formants : frames) {
+      if (formants.size() <= k) continue;
+      frequencies.push_back(formants[k].frequency);
+      bandwidths.push_back(formants[k].bandwidth);
+    }
+    if (frequencies.empty() || 2 * frequencies.size() < frames.size()) return result;
+    Formant formant;
+    formant.frequency = median(frequencies);
+    formant.bandwidth = median(bandwidths);
+    result.push_back(formant);
+  }
+}
+
+std::vector<Formant> formants_by_peaks(std::span<const double> level, double bin_width, const PeakSettings& settings) {
+  std::vector<Formant> formants;
+  for (std::size_t k = 1; k + 1 < level.size(); ++k) {
+    if (!(level[k] > level[k - 1] && level[k] >= level[k + 1])) continue;
+    const double curvature = level[k - 1] - 2 * level[k] + level[k + 1];
+    const double shift = 0.5 * (level[k - 1] - level[k + 1]) / curvature;
+    Formant formant;
+    formant.frequency = (static_cast<double>(k) + shift) * bin_width;
+    formant.level = level[k] - 0.25 * (level[k - 1] - level[k + 1]) * shift;
+    if (formant.frequency < settings.minimum_frequency || formant.frequency > settings.maximum_frequency) continue;
+    const std::size_t left = valley(level, k, -1, level[k]);
+    const std::size_t right = valley(level, k, 1, level[k]);
+    if (level[k] - std::max(level[left], level[right]) < settings.prominence) continue;
+    const double half_power = formant.level - 10 * std::log10(2.0);
+    formant.bandwidth = (fall(level, k, left, half_power) + fall(level, k, right, half_power)) * bin_width;
+    formants.push_back(formant);
+  }
+  return formants;
+}
+
+}  // namespace vocalis::acoustic
