@@ -1,0 +1,127 @@
+#!/usr/bin/python3
+"""The report reads any run folder, complete or not, and writes one valid page."""
+
+import html.parser
+import pathlib
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parents[1] / "report")]
+
+import numpy  # noqa: E402
+
+import curves  # noqa: E402
+import fields  # noqa: E402
+import make_report  # noqa: E402
+import synthetic_run  # noqa: E402
+from read_run import Run  # noqa: E402
+
+
+class Checker(html.parser.HTMLParser):
+    """Every tag is closed in order; collects pictures, headings, text."""
+
+    EMPTY = {"meta", "img", "br"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.images, self.text = [], [], ""
+        self.feed(text)
+        assert not self.open, f"unclosed: {self.open}"
+
+    def handle_starttag(self, tag, attributes):
+        if tag == "img":
+            self.images.append(dict(attributes))
+        if tag not in self.EMPTY:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open.pop() == tag, f"misplaced </{tag}>"
+
+    def handle_data(self, data):
+        self.text += data
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def report(self):
+        page = Checker(make_report.make_report(self.folder).read_text(encoding="utf-8"))
+        for image in page.images:
+            self.assertTrue(image["src"].startswith("data:image/png;base64,"))
+            self.assertTrue(image["alt"])
+        return page
+
+    def pictures(self):
+        return {path.stem for path in (self.folder / "pictures").glob("*.png")}
+
+    def test_a_complete_run_shows_every_picture(self):
+        synthetic_run.voice(self.folder)
+        page = self.report()
+        self.assertEqual(self.pictures(), {"mesh", "speed", "pressure", "monitors", "sound", "microphones", "spectra",
+                                           "cost"})
+        self.assertEqual(len(page.images), 8)
+        self.assertNotIn("Not shown", page.text)
+        for text in ("synthetic voice", "within", "outside", "312 MiB", "one-dimensional tract"):
+            self.assertIn(text, page.text)
+
+    def test_acoustics_alone_in_space_shows_a_cut_and_says_what_is_missing(self):
+        synthetic_run.tract(self.folder)
+        page = self.report()
+        self.assertEqual(self.pictures(), {"mesh", "sound"})
+        self.assertIn("This run failed: <no reason> & more", page.text)
+        for name in ("history.csv", "microphones.csv", "spectra.csv"):
+            self.assertIn(name, page.text)
+
+    def test_an_empty_folder_gives_a_page(self):
+        page = self.report()
+        self.assertEqual(page.images, [])
+        self.assertIn("summary.json is not in the run folder", page.text)
+
+    def test_broken_files_are_named_and_cost_only_their_own_section(self):
+        synthetic_run.voice(self.folder)
+        for name in ("summary.json", "fields.h5", "spectra.csv", "resolved.toml"):
+            (self.folder / name).write_text("neither this nor that {", encoding="utf-8")
+        page = self.report()
+        self.assertEqual(self.pictures(), {"monitors", "microphones"})
+        self.assertIn("fields.h5 could not be read", page.text)
+
+    def test_a_table_keeps_notes_and_leaves_out_a_row_cut_short(self):
+        (self.folder / "history.csv").write_text("# density_kg_m3: 1.14\ntime_s,gap_m\n0,1e-3\n1,2e-3\n2", encoding="utf-8")
+        table = Run(self.folder).history
+        self.assertEqual(table.notes, {"density_kg_m3": "1.14"})
+        numpy.testing.assert_array_equal(table.columns["gap_m"], [1e-3, 2e-3])
+
+    def test_names_carry_their_units(self):
+        self.assertEqual(curves.split_unit("gap_peak_m"), ("gap peak", "m", ""))
+        self.assertEqual(curves.split_unit("SPL_dB.mouth"), ("SPL", "dB", "mouth"))
+        self.assertEqual(curves.split_unit("flow_mean_m3_s"), ("flow mean", "m³/s", ""))
+        self.assertEqual(curves.split_unit("tip_x_m_mean"), ("tip x mean", "m", ""))
+        self.assertEqual(curves.split_unit("min_cell_quality"), ("min cell quality", "", ""))
+
+    def test_the_cut_of_a_box_has_the_area_of_its_middle_and_interpolates_exactly(self):
+        synthetic_run.tract(self.folder)
+        run = Run(self.folder)
+        plane = fields.Plane(run.fields)
+        a, b, c = (plane.points[plane.triangles[:, i]] for i in range(3))
+        area = 0.5 * numpy.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]).sum()
+        self.assertAlmostEqual(area, 0.1 * 0.04, places=12)
+        linear = plane.on_points(run.fields.coordinates @ [2.0, -3.0, 0.0])
+        numpy.testing.assert_allclose(linear, plane.points @ [2.0, -3.0], atol=1e-12)
+
+    def test_half_models_are_told_by_their_symmetry_line(self):
+        synthetic_run.voice(self.folder)
+        run = Run(self.folder)
+        self.assertTrue(run.is_half_model(run.fields.coordinates))
+        run.resolved["flow"]["boundary"][0]["kind"] = "wall"
+        self.assertFalse(run.is_half_model(run.fields.coordinates))
+
+
+if __name__ == "__main__":
+    unittest.main()
