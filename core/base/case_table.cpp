@@ -185,12 +185,16 @@ std::string Table::text(const std::string& key, const std::vector<std::string>& 
 
 std::string Table::text_or(const std::string& key, const std::string& fallback,
                            const std::vector<std::string>& allowed) {
-  if (has(key)) return text(key, allowed);
+  const TomlNode* given = has(key) ? find(key) : nullptr;
+  if (given && fallback.empty() && given->kind == Kind::text && given->text.empty()) return {};
+  if (given) return text(key, allowed);
   TomlNode& node = add_default(key, "");
   node.kind = Kind::text;
   node.text = fallback;
   return fallback;
 }
+
+void Table::resolve_text(const std::string& key, const std::string& text) { need(key, "").text = text; }
 
 std::vector<double> Table::numbers(const std::string& key, std::size_t least, std::size_t most,
                                    const std::string& unit) {

@@ -45,7 +45,7 @@ class Table {
   int integer(const std::string& key, const Range& range, const std::string& unit = "");
   int integer_or(const std::string& key, int fallback, const Range& range, const std::string& unit = "");
   bool boolean_or(const std::string& key, bool fallback);
-  /// One of `allowed`, or any text that is not empty when that list is empty.
+  /// One of `allowed`, or any text when that list is empty; only an empty fallback may be written as "".
   std::string text(const std::string& key, const std::vector<std::string>& allowed = {});
   std::string text_or(const std::string& key, const std::string& fallback,
                       const std::vector<std::string>& allowed = {});
@@ -54,6 +54,9 @@ class Table {
                               const std::string& unit = "");
   std::vector<double> numbers_or(const std::string& key, const std::vector<double>& fallback, std::size_t least,
                                  std::size_t most, const std::string& unit = "");
+
+  /// What the resolved case shall say instead of what was written, for example an absolute path.
+  void resolve_text(const std::string& key, const std::string& text);
 
   /// A value of an enumeration by its name in the file.
   template <class E>

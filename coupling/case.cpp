@@ -1,0 +1,155 @@
+#include "coupling/case.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/case_override.hpp"
+#include "core/base/error.hpp"
+#include "core/base/file_text.hpp"
+#include "core/base/mpi.hpp"
+#include "coupling/case_sections.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+using base::UserError;
+
+/// Whether rank 0 can read a file, on every rank. Collective.
+bool is_readable(MPI_Comm comm, const std::string& path) {
+  int readable = 0;
+  if (base::rank(comm) == 0) {
+    std::error_code code;
+    readable = std::filesystem::is_regular_file(path, code) && access(path.c_str(), R_OK) == 0 ? 1 : 0;
+  }
+  MPI_Bcast(&readable, 1, MPI_INT, 0, comm);
+  return readable == 1;
+}
+
+void read_mesh(MPI_Comm comm, base::Table& root, Case& config) {
+  base::Table mesh = root.table("mesh");
+  if (mesh.has("geometry") == mesh.has("file")) {
+    throw UserError(mesh.place() + " needs one of geometry and file", mesh.has("file") ? "both" : "neither",
+                    "write geometry = \"x.geo\", or file = \"x.msh\"");
+  }
+  config.mesh.is_geometry = mesh.has("geometry");
+  const std::string key = config.mesh.is_geometry ? "geometry" : "file";
+  const std::string written = mesh.text(key);
+  const std::filesystem::path path =
+      std::filesystem::absolute(std::filesystem::path(config.file).parent_path() / written).lexically_normal();
+  config.mesh.file = path.string();
+  if (!is_readable(comm, config.mesh.file)) {
+    throw UserError(mesh.place(key) + " must be a file that can be read", "\"" + written + "\" (" + path.string() + ")",
+                    "check the name; it is looked for beside the case file");
+  }
+  if (config.mesh.is_geometry && path.extension() != ".geo") {
+    throw UserError(mesh.place(key) + " must be a Gmsh geometry, *.geo", "\"" + written + "\"",
+                    "write file = \"...\" for a mesh");
+  }
+  mesh.resolve_text(key, config.mesh.file);
+  if (!config.mesh.is_geometry) return;
+  if (auto parameters = mesh.table_if("parameters")) {
+    for (const std::string& name : parameters->keys()) {
+      config.mesh.parameters[name] = parameters->number(name, base::any_number);
+    }
+  }
+}
+
+void read_output(base::Table& root, Case& config) {
+  base::Table output = root.table_or_empty("output");
+  OutputSettings& settings = config.output;
+  settings.directory = output.text_or("directory", "runs/" + config.name);
+  settings.fields_interval = output.number_or("fields_interval", settings.fields_interval, base::not_negative, "s");
+  settings.checkpoint_steps = output.integer_or("checkpoint_steps", settings.checkpoint_steps, base::not_negative);
+}
+
+void read_expected(base::Table& root, Case& config) {
+  auto expected = root.table_if("expected");
+  if (!expected) return;
+  for (const std::string& name : expected->keys()) {
+    base::Table result = expected->table(name);
+    config.expected[name] = {result.number("value", base::any_number), result.number("tolerance", base::positive),
+                             result.text("source")};
+  }
+}
+
+/// Rules over several sections.
+void check_together(const base::Table& root, const Case& config) {
+  const auto is_fluid = [](const RegionSettings& region) { return region.kind == RegionKind::fluid; };
+  const bool has_fluid = std::any_of(config.regions.begin(), config.regions.end(), is_fluid);
+  const auto is_solid = [](const RegionSettings& region) { return region.kind == RegionKind::solid; };
+  const bool all_solid = std::all_of(config.regions.begin(), config.regions.end(), is_solid);
+  if (config.flow && !has_fluid) {
+    throw UserError(root.place("flow") + " needs a region of fluid", "no [[region]] of kind \"fluid\"",
+                    "give one region kind = \"fluid\", or leave [flow] out");
+  }
+  if (!config.acoustics.empty() && all_solid) {
+    throw UserError(root.place("acoustic") + " needs a region of fluid or air", "solid regions only",
+                    "give one region kind = \"air\"");
+  }
+  if (config.flow && config.source) {
+    throw UserError(root.place("source") + " prescribes the sound's source, so there must be no [flow]", "both",
+                    "leave out one of [flow] and [source]");
+  }
+  if (!config.flow && !config.source) {
+    throw UserError(config.file + ": something must move the air", "neither [flow] nor [source]",
+                    "add [flow], or [source] for acoustics alone");
+  }
+  if (config.source && config.acoustics.empty()) {
+    throw UserError(root.place("source") + " needs an acoustic solver", "no [[acoustic]]", "add an [[acoustic]] table");
+  }
+  if (!config.flow && !config.monitors.empty()) {
+    throw UserError(root.place("monitor") + " watches a flow", "no [flow]", "leave the monitors out");
+  }
+  if (!config.microphones.empty() && config.acoustics.empty()) {
+    throw UserError(root.place("microphone") + " needs an acoustic solver", "no [[acoustic]]",
+                    "add an [[acoustic]] table, or leave the microphones out");
+  }
+}
+
+}  // namespace
+
+Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::string>& overrides) {
+  Case config;
+  config.file = file;
+  base::TomlNode tree = base::parse_toml(base::read_text(comm, file, "case file"), file);
+  for (const std::string& assignment : overrides) base::apply_override(tree, assignment);
+  base::Table root(tree);
+
+  base::Table head = root.table("case");
+  config.name = read_plain_name(head, "name");
+  config.description = head.text_or("description", "");
+  read_mesh(comm, root, config);
+  read_regions(root, config);
+  read_flow(root, config);
+  read_time(root, config);
+  read_acoustics(root, config);
+  read_source(root, config);
+  read_microphones(root, config);
+  read_monitors(root, config);
+  read_output(root, config);
+  read_expected(root, config);
+  root.reject_unknown_keys();
+  check_together(root, config);
+  config.resolved = base::write_toml(tree);
+  return config;
+}
+
+void write_resolved(MPI_Comm comm, const Case& config, const std::string& path) {
+  int written = 1;
+  if (base::rank(comm) == 0) {
+    std::ofstream file(path);
+    file << "# " << config.file << ", resolved by Vocalis " << VOCALIS_VERSION << ": all values, SI units.\n\n"
+         << config.resolved;
+    file.close();
+    written = file ? 1 : 0;
+  }
+  MPI_Bcast(&written, 1, MPI_INT, 0, comm);
+  if (!written) throw UserError(path + ": the resolved case cannot be written", path, "choose another --out folder");
+}
+
+}  // namespace vocalis::coupling

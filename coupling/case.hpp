@@ -1,0 +1,95 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acoustic_solver/pulse.hpp"
+#include "acoustic_solver/settings.hpp"
+#include "coupling/monitors.hpp"
+#include "fsi_solver/settings.hpp"
+
+namespace vocalis::coupling {
+
+enum class RegionKind { fluid, solid, air };
+
+/// Cells of one named group of the mesh.
+struct RegionSettings {
+  std::string name;
+  RegionKind kind = RegionKind::fluid;
+};
+
+struct MeshSettings {
+  std::string file;                          ///< absolute path of a Gmsh geometry or mesh file
+  bool is_geometry = false;                  ///< Gmsh shall mesh it
+  std::map<std::string, double> parameters;  ///< DefineConstant values of the geometry
+};
+
+/// A prescribed glottal signal, the normal velocity of a boundary into the air [m/s]: acoustics alone, without a flow.
+struct SourceSettings {
+  std::string group;  ///< where it enters; the acoustic solvers get a boundary of kind `flux` there
+  acoustic::PulseSettings pulse;
+};
+
+struct OutputSettings {
+  std::string directory;       ///< the run folder
+  double fields_interval = 0;  ///< [s] of simulated time; 0: no fields
+  int checkpoint_steps = 0;    ///< steps between checkpoints; 0: none
+};
+
+/// What a published or measured source says that a result should be.
+struct ExpectedResult {
+  double value = 0;      ///< in the unit that the result's name carries
+  double tolerance = 0;  ///< absolute, in the same unit
+  std::string source;
+};
+
+/// A name or point of the case that only the mesh can confirm, with its place in the file.
+struct MeshReference {
+  enum class Kind { region, group, vector };
+  Kind kind = Kind::region;
+  std::string place;
+  std::string name;
+  std::vector<double> components;  ///< of a vector as written: 2 or 3
+};
+
+/// A case file, resolved: all values, defaults included. Physics that the file does not name is absent. [SI units]
+struct Case {
+  std::string file;  ///< as given by the user
+  std::string name;
+  std::string description;
+  MeshSettings mesh;
+  std::vector<RegionSettings> regions;
+  std::optional<fsi::FlowSettings> flow;
+  fsi::TimeSettings time;  ///< without a flow only `end` and `step` have a meaning
+  std::vector<acoustic::AcousticSettings> acoustics;
+  std::optional<SourceSettings> source;
+  std::vector<acoustic::MicrophoneSettings> microphones;
+  std::vector<MonitorSettings> monitors;
+  OutputSettings output;
+  std::map<std::string, ExpectedResult> expected;
+
+  std::vector<MeshReference> references;
+  std::string resolved;  ///< the text of resolved.toml
+};
+
+/// Reads a case file and changes it by the user's "key=value" overrides (base::apply_override).
+/// Collective; every rank gets the same case. Throws UserError on every rank for whatever can be known without the
+/// mesh.
+Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::string>& overrides);
+
+/// What only the mesh can tell: that it has the regions and groups that the case names, that the case names all of its
+/// regions, and that points have as many coordinates as the mesh. Throws UserError. Every rank must pass the same
+/// names.
+void check_case_against_mesh_names(const Case& config, int dimension, const std::vector<std::string>& region_names,
+                                   const std::vector<std::string>& group_names);
+
+/// Writes resolved.toml: a case file of its own that repeats the run. Rank 0 writes. Collective; throws UserError if it
+/// cannot be written.
+void write_resolved(MPI_Comm comm, const Case& config, const std::string& path);
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/base/error.hpp"
+#include "coupling/analogy.hpp"
+#include "coupling/case_sections.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+using base::UserError;
+using Kind = acoustic::AcousticBoundaryKind;
+
+acoustic::AcousticBoundary read_boundary(base::Table& table, Case& config) {
+  acoustic::AcousticBoundary boundary;
+  boundary.group = read_group(table, config);
+  boundary.kind = table.choice<Kind>("kind", {{"rigid", Kind::rigid},
+                                              {"admittance", Kind::admittance},
+                                              {"open", Kind::open},
+                                              {"pressure_release", Kind::pressure_release}});
+  if (boundary.kind == Kind::admittance) {
+    boundary.admittance = table.number_or("admittance", boundary.admittance, base::not_negative);
+  }
+  if (boundary.kind == Kind::open) {
+    boundary.radius = table.number_or("radius", boundary.radius, base::not_negative, "m");
+  }
+  return boundary;
+}
+
+/// Without a flow there is nothing that an analogy could take sound from.
+std::string read_analogy(base::Table& table, const acoustic::AcousticSettings& solver, const Case& config) {
+  const std::string analogy = table.text_or("analogy", config.flow ? solver.analogy : "none", analogy_names());
+  if (!config.flow && analogy != "none") {
+    throw UserError(table.place("analogy") + " needs a flow to take the sound from",
+                    "\"" + analogy + "\" without [flow]", "write analogy = \"none\" beside [source]");
+  }
+  return analogy;
+}
+
+double read_step(base::Table& table, const Case& config) {
+  if (config.time.step > 0) return table.number_or("dt", config.time.step, base::positive, "s");
+  return table.number("dt", base::positive, "s");
+}
+
+}  // namespace
+
+void read_acoustics(base::Table& root, Case& config) {
+  std::vector<std::string> names;
+  for (base::Table& table : root.tables("acoustic")) {
+    acoustic::AcousticSettings solver;
+    solver.name = read_plain_name_or(table, "name", solver.name);
+    solver.analogy = read_analogy(table, solver, config);
+    solver.speed_of_sound = table.number_or("speed_of_sound", solver.speed_of_sound, base::positive, "m/s");
+    solver.density = table.number_or("density", solver.density, base::positive, "kg/m^3");
+    solver.wall_admittance = table.number_or("wall_admittance", solver.wall_admittance, base::not_negative);
+    solver.step = read_step(table, config);
+    solver.theta = table.number_or("theta", solver.theta, base::between(0.5, 1));
+    solver.solver_tolerance = table.number_or("solver_tolerance", solver.solver_tolerance, base::inside(0, 1));
+    solver.source_fade_in = table.number_or("source_fade_in", solver.source_fade_in, base::not_negative, "s");
+    std::vector<std::string> groups;
+    for (base::Table& boundary : table.tables("boundary")) {
+      solver.boundaries.push_back(read_boundary(boundary, config));
+      groups.push_back(solver.boundaries.back().group);
+    }
+    reject_duplicates(table, "[[acoustic.boundary]]", groups);
+    names.push_back(solver.name);
+    config.acoustics.push_back(solver);
+  }
+  reject_duplicates(root, "[[acoustic]]", names);
+  if (config.time.step > 0) return;
+  for (const acoustic::AcousticSettings& solver : config.acoustics) {
+    config.time.step = std::max(config.time.step, solver.step);
+  }
+}
+
+}  // namespace vocalis::coupling

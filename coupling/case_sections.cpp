@@ -1,0 +1,118 @@
+#include "coupling/case_sections.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "core/base/error.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+using base::UserError;
+
+std::array<double, 3> padded(const std::vector<double>& values) {
+  std::array<double, 3> result = {0, 0, 0};
+  std::copy(values.begin(), values.end(), result.begin());
+  return result;
+}
+
+void check_plain(const base::Table& table, const std::string& key, const std::string& name) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+  if (!std::all_of(name.begin(), name.end(), plain)) {
+    throw UserError(table.place(key) + " may hold letters, digits, _ and - only", "\"" + name + "\"",
+                    "files and columns are named after it: choose a plain name");
+  }
+}
+
+}  // namespace
+
+std::string read_plain_name(base::Table& table, const std::string& key) {
+  const std::string name = table.text(key);
+  check_plain(table, key, name);
+  return name;
+}
+
+std::string read_plain_name_or(base::Table& table, const std::string& key, const std::string& fallback) {
+  const std::string name = table.text_or(key, fallback);
+  check_plain(table, key, name);
+  return name;
+}
+
+std::array<double, 3> read_vector(base::Table& table, const std::string& key, const std::string& unit, Case& config) {
+  const std::vector<double> values = table.numbers(key, 2, 3, unit);
+  config.references.push_back({MeshReference::Kind::vector, table.place(key), key, values});
+  return padded(values);
+}
+
+std::array<double, 3> read_vector_or(base::Table& table, const std::string& key, const std::array<double, 3>& fallback,
+                                     const std::string& unit, Case& config) {
+  if (table.has(key)) return read_vector(table, key, unit, config);
+  return padded(table.numbers_or(key, {fallback.begin(), fallback.end()}, 2, 3, unit));
+}
+
+std::string read_group(base::Table& table, Case& config) {
+  const std::string name = table.text("group");
+  config.references.push_back({MeshReference::Kind::group, table.place("group"), name, {}});
+  return name;
+}
+
+void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names) {
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (seen.insert(name).second) continue;
+    throw UserError(root.place() + ": every " + what + " needs a name of its own", "\"" + name + "\" twice",
+                    "rename or merge them");
+  }
+}
+
+void read_microphones(base::Table& root, Case& config) {
+  std::vector<std::string> names;
+  for (base::Table& table : root.tables("microphone")) {
+    acoustic::MicrophoneSettings microphone;
+    microphone.name = read_plain_name(table, "name");
+    microphone.position = read_vector(table, "position", "m", config);
+    names.push_back(microphone.name);
+    config.microphones.push_back(microphone);
+  }
+  reject_duplicates(root, "[[microphone]]", names);
+}
+
+void read_source(base::Table& root, Case& config) {
+  auto table = root.table_if("source");
+  if (!table) return;
+  SourceSettings& source = config.source.emplace();
+  const std::string kind = table->text("kind", {"gaussian_pulse", "lf"});
+  source.group = read_group(*table, config);
+  if (kind == "gaussian_pulse") {
+    acoustic::GaussianPulse pulse;
+    pulse.amplitude = table->number_or("amplitude", pulse.amplitude, base::positive, "m/s");
+    pulse.maximum_frequency = table->number_or("maximum_frequency", pulse.maximum_frequency, base::positive, "Hz");
+    source.pulse = pulse;
+  } else {
+    acoustic::LiljencrantsFantPulse pulse;
+    pulse.fundamental_frequency =
+        table->number_or("fundamental_frequency", pulse.fundamental_frequency, base::positive, "Hz");
+    pulse.excitation = table->number_or("excitation", pulse.excitation, base::positive, "m/s^2");
+    pulse.open_quotient = table->number_or("open_quotient", pulse.open_quotient, base::inside(0, 1));
+    pulse.asymmetry = table->number_or("asymmetry", pulse.asymmetry, base::inside(0.5, 1));
+    pulse.return_quotient = table->number_or("return_quotient", pulse.return_quotient, base::inside(0, 1));
+    if (pulse.open_quotient + pulse.return_quotient >= 1) {
+      throw UserError(table->place("return_quotient") + " plus open_quotient must be less than 1",
+                      std::to_string(pulse.open_quotient + pulse.return_quotient), "shorten one of the two phases");
+    }
+    source.pulse = pulse;
+  }
+  for (acoustic::AcousticSettings& solver : config.acoustics) {
+    for (const acoustic::AcousticBoundary& boundary : solver.boundaries) {
+      if (boundary.group != source.group) continue;
+      throw UserError(
+          table->place("group") + " is where the source enters, so it must not be a boundary of another kind",
+          "\"" + source.group + "\" in [[acoustic.boundary]], too", "leave that boundary out");
+    }
+    solver.boundaries.push_back({.group = source.group, .kind = acoustic::AcousticBoundaryKind::flux});
+  }
+}
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/case_table.hpp"
+#include "coupling/case.hpp"
+
+namespace vocalis::coupling {
+
+// The sections of a case file, one function each; `read_case` calls them. All throw UserError.
+
+void read_regions(base::Table& root, Case& config);
+void read_flow(base::Table& root, Case& config);
+void read_time(base::Table& root, Case& config);
+void read_acoustics(base::Table& root, Case& config);
+void read_source(base::Table& root, Case& config);
+void read_microphones(base::Table& root, Case& config);
+void read_monitors(base::Table& root, Case& config);
+
+/// A name that becomes part of file names and of column names: letters, digits, "_" and "-".
+std::string read_plain_name(base::Table& table, const std::string& key);
+std::string read_plain_name_or(base::Table& table, const std::string& key, const std::string& fallback);
+
+/// A vector of 2 or 3 components; the third is 0 if it is missing. The mesh decides later which is right.
+std::array<double, 3> read_vector(base::Table& table, const std::string& key, const std::string& unit, Case& config);
+std::array<double, 3> read_vector_or(base::Table& table, const std::string& key, const std::array<double, 3>& fallback,
+                                     const std::string& unit, Case& config);
+
+/// The name of a group of facets.
+std::string read_group(base::Table& table, Case& config);
+
+/// Throws if a name stands twice. `what` is the kind of thing: "[[region]]".
+void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names);
+
+}  // namespace vocalis::coupling
