@@ -48,7 +48,7 @@ def monitors(history, folder):
         label, unit, place = split_unit(name)
         values, unit = readable(history.columns[name], unit)
         axis.plot(time, values, color=colour)
-        axis.set_ylabel(f"{unit}" if unit else "1")
+        axis.set_ylabel(f"[{unit}]" if unit else "[1]")
         axis.set_title(label + (f" ({place})" if place else ""), loc="left")
         axis.grid(True)
     axes[-1, 0].set_xlabel(f"time [{time_unit}]")
@@ -75,7 +75,7 @@ def microphones(table, folder):
 
 def spectra(table, results, folder, highest=6000.0):
     """Spectral density at the microphones and the tract's transfer function, formants marked."""
-    kinds = [("psd_dB", "density", "dB re 20 µPa/√Hz"), ("transfer_dB", "transfer function", "dB")]
+    kinds = [("psd_dB", "spectral density", "dB re 20 µPa/√Hz"), ("transfer_dB", "transfer function", "dB")]
     rows = [(table.starting(prefix), prefix, title, unit) for prefix, title, unit in kinds]
     rows = [row for row in rows if row[0]]
     if not rows or "frequency_Hz" not in table.columns:
@@ -90,7 +90,7 @@ def spectra(table, results, folder, highest=6000.0):
             finite = values[shown][numpy.isfinite(values[shown])]
             top = max(top, finite.max() if finite.size else 0)
         bottom = max(top - 90, axis.get_ylim()[0])
-        axis.set_ylim(bottom, top + 0.16 * (top - bottom))
+        axis.set_ylim(bottom, top + 0.2 * (top - bottom))
         mark_formants(axis, results, highest)
         axis.set_ylabel(f"level [{table.notes.get(prefix, unit)}]")
         axis.set_title(title, loc="left")
@@ -111,10 +111,9 @@ def mark_formants(axis, results, highest):
             continue
         marked.add(match.group(1))
         axis.axvline(value / 1000, color="#555555", linewidth=0.7, linestyle="--")
-        low = match.group(1) == "f0"
-        axis.annotate(match.group(1), (value / 1000, 1), xycoords=("data", "axes fraction"),
-                      xytext=(-3 if low else 3, -2), textcoords="offset points", va="top",
-                      ha="right" if low else "left", color="#333333")
+        line = 14 if match.group(1) == "f0" else 2  # f0 is close to F1: its label goes below
+        axis.annotate(match.group(1), (value / 1000, 1), xycoords=("data", "axes fraction"), xytext=(3, -line),
+                      textcoords="offset points", va="top", fontsize=8, color="#333333")
 
 
 def cost(summary, folder):
@@ -131,7 +130,9 @@ def cost(summary, folder):
     axis = axes[0, 0]
     axis.barh(names, [phases[name] for name in names], color=style.COLOURS[0], height=0.7)
     for row, name in enumerate(names):
-        axis.annotate(f"{phases[name]:.3g} s  ({100 * phases[name] / total:.0f} %)", (phases[name], row), xytext=(4, 0),
+        share = 100 * phases[name] / total
+        part = f"{share:.0f} %" if share >= 1 else "below 1 %"
+        axis.annotate(f"{phases[name]:.3g} s  ({part})", (phases[name], row), xytext=(4, 0),
                       textcoords="offset points", va="center")
     axis.set_xlim(0, 1.25 * max(phases.values()) or 1)
     axis.set_xlabel("wall time [s]")

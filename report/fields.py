@@ -67,7 +67,8 @@ class Plane:
             self.cell_of_triangle = numpy.arange(len(fields.cells))
             return
         low, high = moved[:, 2].min(), moved[:, 2].max()
-        height = 0.0 if low < -1e-6 * (high - low) else low + 1e-3 * (high - low)
+        # A little off z = 0 (or the lowest plane): meshes often have vertices there, and a cut through them leaves slivers.
+        height = (0.0 if low < -1e-6 * (high - low) else low) + 1e-3 * (high - low)
         ends, self.cell_of_triangle = cut(moved[:, 2] - height, fields.cells)
         edges, inverse = numpy.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
         distance = moved[:, 2] - height

@@ -21,7 +21,7 @@ def mesh(run, folder):
     if fields.dimension == 2:
         near = views.around_solids(run, plane, False)
         if views.solid_regions(run):
-            windows.append(("around the solids", near))
+            windows.append(("around the solids", (*near[:2], max(near[2], 0) if mirrored else near[2], near[3])))
         gap = views.around_gap(run, plane, mirrored)
         if gap:
             windows.append(("narrowest place", (gap[0], gap[1], 0, 2 * gap[3])))
@@ -109,21 +109,21 @@ def sound(run, folder):
     else:
         return None
     mirrored = run.is_half_model(fields.coordinates)
-    panels = [("everywhere", drawn)]
+    panels = [(f"everywhere, t = {fields.times[step] * 1e3:.3f} ms", drawn)]
     rooms = [name for name in views.air_regions(run) if len(views.air_regions(run)) < len(fields.region_names)]
     if len(views.air_regions(run)) == len(fields.region_names) and len(fields.region_names) > 1:
         rooms = [fields.region_names[fields.region[fields.coordinates[fields.cells].mean(axis=1)[:, 0].argmax()]]]
     room = drawn & fields.in_regions(rooms)[plane.cell_of_triangle]
     if room.any() and not room.all():
-        panels.append(("in front of the mouth, own scale" if len(rooms) == 1 else "air, own scale", room))
+        panels.append((f"{', '.join(rooms)}, own scale", room))
     windows = [views.extent(plane.points[numpy.unique(plane.triangles[cells])], mirrored) for _, cells in panels]
-    picture, axes = _panels(windows)
+    picture, axes = _side_by_side(windows)
     for axis, window, (title, cells) in zip(axes, windows, panels):
         scale = numpy.percentile(numpy.abs(values[numpy.unique(plane.triangles[cells])]), 99.5) or 1.0
         for sign in (1, -1) if mirrored else (1,):
             shades = _draw(axis, plane, values, cells, sign, {"vmin": -scale, "vmax": scale, "cmap": "RdBu_r"})
-        _window(axis, window, f"{title}, t = {fields.times[step] * 1e3:.3f} ms")
-        picture.colorbar(shades, ax=axis, label="pressure [Pa]", pad=0.01, aspect=20)
+        _window(axis, window, title)
+        picture.colorbar(shades, ax=axis, label="pressure [Pa]", pad=0.02, aspect=25, location="bottom")
     return style.save(picture, folder, "sound")
 
 
@@ -147,11 +147,23 @@ def _panels(windows, columns=1):
     return picture, [picture.add_subplot(grid[i // columns, i % columns]) for i in range(len(windows))]
 
 
+def _side_by_side(windows):
+    """Axes of equal height beside each other, each as wide as its window is at that height."""
+    widths = [max(0.25, (w[1] - w[0]) / (w[3] - w[2])) for w in windows]
+    height = min(4.5, (style.WIDTH - 0.9 * len(windows)) / sum(widths))
+    picture = style.pyplot.figure(figsize=(style.WIDTH, height + 1.4), constrained_layout=True)
+    grid = picture.add_gridspec(1, len(windows), width_ratios=[height * width + 0.7 for width in widths])
+    return picture, [picture.add_subplot(grid[0, i]) for i in range(len(windows))]
+
+
 def _window(axis, window, title):
     x0, x1, y0, y1 = (MILLIMETRE * side for side in window)
     axis.set_xlim(x0, x1)
     axis.set_ylim(y0, y1)
     axis.set_aspect("equal")
     axis.set_title(title, loc="left")
-    axis.set_xlabel("x [mm]")
-    axis.set_ylabel("y [mm]")
+    place = axis.get_subplotspec()
+    if place.is_last_row() or place.get_gridspec().ncols == 1:
+        axis.set_xlabel("x [mm]")
+    if place.is_first_col():
+        axis.set_ylabel("y [mm]")

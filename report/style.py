@@ -35,6 +35,6 @@ def save(picture, folder, name):
     """Writes folder/name.png and forgets the figure; returns the path."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{name}.png"
-    picture.savefig(path)
+    picture.savefig(path, bbox_inches="tight", pad_inches=0.06)
     pyplot.close(picture)
     return path

@@ -40,9 +40,12 @@ def around_solids(run, plane, mirrored):
         return extent(flow if len(flow) else plane.points, mirrored)
     x0, x1, y0, y1 = extent(solids, mirrored)
     length, height = x1 - x0, y1 - y0
-    fx0, fx1, fy0, fy1 = extent(flow if len(flow) else plane.points, mirrored)
-    behind = max(2.5 * length, 1.5 * height)
-    return (max(fx0, x0 - 0.6 * length), min(fx1, x1 + behind), max(fy0, y0 - 0.5 * height), min(fy1, y1 + 0.5 * height))
+    every = flow if len(flow) else plane.points
+    x0, x1 = x0 - 0.6 * length, x1 + max(2.5 * length, 1.5 * height)
+    inside = every[(every[:, 0] >= x0) & (every[:, 0] <= x1)]
+    fx0, fx1, fy0, fy1 = extent(inside if len(inside) else every, mirrored)
+    margin = 0.04 * (fy1 - fy0)
+    return max(fx0, x0), min(fx1, x1), max(fy0, y0 - 0.5 * height) - margin, min(fy1, y1 + 0.5 * height) + margin
 
 
 def around_gap(run, plane, mirrored):
