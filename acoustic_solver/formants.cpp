@@ -163,6 +163,9 @@ std::vector<Formant> formants_by_peaks(std::span<const double> level, double bin
     formant.bandwidth = (fall(level, k, left, half_power) + fall(level, k, right, half_power)) * bin_width;
     formants.push_back(formant);
   }
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Formant& formant : formants) highest = std::max(highest, formant.level);
+  std::erase_if(formants, [&](const Formant& formant) { return formant.level < highest - settings.range; });
   return formants;
 }
 

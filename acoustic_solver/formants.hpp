@@ -44,6 +44,7 @@ struct PeakSettings {
   double minimum_frequency = 100;   ///< [Hz]
   double maximum_frequency = 5500;  ///< [Hz]
   double prominence = 1;            ///< least height above the higher of the two valleys beside it [dB]
+  double range = 50;                ///< peaks further below the highest one are ripples [dB]
 };
 
 /// Formants as the peaks of a spectrum of levels: vertex of the parabola through the three highest points, bandwidth

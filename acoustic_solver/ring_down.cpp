@@ -154,6 +154,15 @@ std::vector<FittedPole> fit_amplitudes(std::span<const double> y, const std::vec
   return result;
 }
 
+// A formant's own level at its frequency, relative to the whole transfer function there; a weaker mode is only a small
+// correction on the skirts of its neighbours, as a short record or a scattering mesh gives them [dB].
+constexpr double least_own_level = -12;
+
+std::size_t peak_of_pulse(std::span<const double> flux) {
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  return static_cast<std::size_t>(std::max_element(flux.begin(), flux.end(), smaller) - flux.begin());
+}
+
 /// Last step at which the source still says something.
 std::size_t end_of_pulse(std::span<const double> flux) {
   double largest = 0;
@@ -221,7 +230,13 @@ PulseResponse analyse_pulse_response(std::span<const double> flux, std::span<con
   for (const DampedMode& mode : modes) {
     Formant formant{mode.frequency(), mode.bandwidth()};
     const auto bin = static_cast<std::size_t>(std::lround(formant.frequency / width));
-    if (bin < level.size()) formant.level = level[bin];
+    if (bin >= level.size() || formant.bandwidth <= 0 || std::isnan(level[bin])) continue;
+    // At its frequency a mode that begins with the pulse, as a exp(s t), contributes |a| / (2 pi bandwidth) / |S|.
+    const double since_pulse = (static_cast<double>(begin) - static_cast<double>(peak_of_pulse(flux))) / sampling_rate;
+    const double amplitude = std::abs(mode.amplitude * std::exp(-mode.exponent * since_pulse));
+    const double own = amplitude / (2 * pi * formant.bandwidth) / std::abs(source.value[bin]);
+    if (20 * std::log10(own) < level[bin] + least_own_level) continue;
+    formant.level = level[bin];
     result.formants.push_back(formant);
   }
   return result;

@@ -104,10 +104,13 @@ TEST_CASE("a tube that reflects with -r at its open end shows its resonances to 
     for (double delay = length / speed; delay < time; delay += 2 * length / speed, weight *= -reflection) {
       sum += weight * pulse.value(time - delay);
     }
+    // A weak oscillation on the skirts of the resonances, which is no formant.
+    sum += 1e-4 * std::exp(-pi * 100 * time) * std::sin(2 * pi * 1000 * time);
     pressure.push_back(sum);
   }
+  CHECK(damped_modes(std::span(pressure).subspan(200), rate, {}).size() == 7);
   const PulseResponse response = analyse_pulse_response(flux, pressure, rate, {});
-  REQUIRE(response.formants.size() >= 5);
+  REQUIRE(response.formants.size() == 6);
   const double bandwidth = -std::log(reflection) * speed / (2 * pi * length);
   for (std::size_t k = 0; k < 5; ++k) {
     const double frequency = (2 * static_cast<double>(k) + 1) * speed / (4 * length);
