@@ -67,7 +67,7 @@ class Plane:
             self.cell_of_triangle = numpy.arange(len(fields.cells))
             return
         low, high = moved[:, 2].min(), moved[:, 2].max()
-        # A little off z = 0 (or the lowest plane): meshes often have vertices there, and a cut through them leaves slivers.
+        # A little off z = 0 (or the lowest plane): a cut through vertices, which meshes often have there, leaves slivers.
         height = (0.0 if low < -1e-6 * (high - low) else low) + 1e-3 * (high - low)
         ends, self.cell_of_triangle = cut(moved[:, 2] - height, fields.cells)
         edges, inverse = numpy.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
@@ -87,7 +87,7 @@ class Plane:
 
 
 def cut(distance, cells):
-    """Triangles in which the zero of a vertex function cuts tetrahedra: (n, 3, 2) edges by their vertices, and cells."""
+    """Triangles in which the zero of a vertex function cuts tetrahedra: (n, 3, 2) edges by vertices, and cells."""
     above = numpy.where(distance == 0, 1e-300, distance)[cells] > 0
     count = above.sum(axis=1)
     order = numpy.argsort(~above, axis=1, kind="stable")  # vertices above first

@@ -7,7 +7,8 @@ import math
 import curves
 
 STYLE = """
-body { font: 15px/1.5 "Helvetica Neue", Arial, sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em; }
+body { font: 15px/1.5 "Helvetica Neue", Arial, sans-serif; color: #222;
+  max-width: 62em; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.7em; margin-bottom: 0; }
 h2 { font-size: 1.2em; margin: 2em 0 .5em; border-bottom: 1px solid #ccc; }
 p.lead { margin-top: .2em; color: #555; }
@@ -88,8 +89,8 @@ def key_figures(summary):
 
 def run_facts(run):
     summary = run.summary
-    rows = [(key.replace("_", " "), shown(summary[key])) for key in
-            ("case", "version", "status", "reason", "dimension", "ranks", "steps") if summary.get(key) not in (None, "")]
+    rows = [(key, shown(summary[key])) for key in ("case", "version", "status", "reason", "dimension", "ranks", "steps")
+            if summary.get(key) not in (None, "")]
     for key, unit in (("simulated_seconds", "s"), ("wall_seconds", "s")):
         if isinstance(summary.get(key), (int, float)):
             rows.append((key.partition("_")[0] + " time", f"{shown(summary[key])} {unit}"))

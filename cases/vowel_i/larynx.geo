@@ -64,8 +64,10 @@ For layer In {0 : 1}
     fold_points(6 * layer + i) = p;
   EndFor
 EndFor
-s0 = fold_points(0); s1 = fold_points(1); s2 = fold_points(2); s3 = fold_points(3); s4 = fold_points(4); s5 = fold_points(5);
-c0 = fold_points(6); c1 = fold_points(7); c2 = fold_points(8); c3 = fold_points(9); c4 = fold_points(10); c5 = fold_points(11);
+s0 = fold_points(0); s1 = fold_points(1); s2 = fold_points(2);
+s3 = fold_points(3); s4 = fold_points(4); s5 = fold_points(5);
+c0 = fold_points(6); c1 = fold_points(7); c2 = fold_points(8);
+c3 = fold_points(9); c4 = fold_points(10); c5 = fold_points(11);
 
 f0 = newl; Line(f0) = {s0, s1};
 f1 = newl; Circle(f1) = {s1, p_a, s2};
@@ -106,7 +108,8 @@ w0 = newl; Line(w0) = {s0, d1};
 w1 = newl; Line(w1) = {v0, s5};
 w2 = newl; Line(w2) = {p_tract_top, v0};
 loop = newll;
-Curve Loop(loop) = {n0, n1, n2, n3, n4, n5, tract_midline(), l_mouth, -tract_wall(), w2, w1, -f4, -f3, -f2, -f1, -f0, w0, lungs};
+Curve Loop(loop) = {n0, n1, n2, n3, n4, n5, tract_midline(), l_mouth, -tract_wall(), w2, w1,
+                    -f4, -f3, -f2, -f1, -f0, w0, lungs};
 s_flow = news; Plane Surface(s_flow) = {loop};
 
 Physical Surface("flow") = {s_flow};

@@ -19,7 +19,7 @@ import numpy
 SPEED_OF_SOUND = 350.0  # [m/s]
 DENSITY = 1.14  # [kg/m^3]
 
-# Story, Titze and Hoffman 1996, J. Acoust. Soc. Am. 100, 537: /i/, glottis to lips [m^2]; sections of 350 / (2 * 44100) m.
+# Story, Titze and Hoffman 1996, J. Acoust. Soc. Am. 100, 537: /i/, glottis to lips [m^2]; sections 350 / (2 * 44100) m.
 STORY_SECTION = 0.00396825
 STORY_I = 1e-4 * numpy.array([
     0.33, 0.30, 0.36, 0.34, 0.68, 0.50, 2.43, 3.15, 2.66, 2.49, 3.39, 3.80, 3.78, 4.35, 4.50, 4.43, 4.68, 4.52, 4.15,
@@ -96,7 +96,8 @@ def linear_between_centres(areas, size_of_area, area_of_size, pieces=12):
     size = size_of_area(numpy.asarray(areas))
     fraction = (numpy.arange(pieces) + 0.5) / pieces
     inner = (size[:-1, None] * (1 - fraction) + size[1:, None] * fraction).ravel()
-    lengths = numpy.concatenate(([STORY_SECTION / 2], numpy.full(inner.size, STORY_SECTION / pieces), [STORY_SECTION / 2]))
+    half = [STORY_SECTION / 2]
+    lengths = numpy.concatenate((half, numpy.full(inner.size, STORY_SECTION / pieces), half))
     return lengths, area_of_size(numpy.concatenate(([size[0]], inner, [size[-1]])))
 
 
@@ -150,7 +151,8 @@ def no_radiation(k):
 
 
 def larynx_shunt(half_gap, lungs, subglottal_length=0.02):
-    """Admittance of glottis (M5 fold, cut into slices) and subglottal duct, in the plane; lungs: 0 rigid, 1 absorbing."""
+    """Admittance of glottis (M5 fold in slices) and subglottal duct, in the plane; lungs: 0 rigid, 1 absorbing,
+    infinitely large pressure release."""
     x = numpy.linspace(0, 0.7807, 79)
     middle = (x[1:] + x[:-1]) / 2
     fold = numpy.interp(middle, [0, 0.36579, 0.39610, 0.43269, 0.47285, 0.67683, 0.71616, 0.74994, 0.77268, 0.7807],
@@ -211,7 +213,7 @@ def tables(step=0.5):
         ducts = with_ventricle(planar(depth), half_gap)
         gap = f"half gap {half_gap * 1e3:g} mm"
         result[f"/i/ plane, ventricle, {gap}, closed glottis"] = peaks(f, transfer(f, ducts, strip(flat_mouth)))
-        for name, lungs in (("rigid", 0.0), ("absorbing", 1.0)):
+        for name, lungs in (("rigid", 0.0), ("absorbing", 1.0), ("pressure release at", 1e9)):
             response = transfer(f, ducts, strip(flat_mouth), larynx_shunt(half_gap, lungs))
             result[f"/i/ plane, ventricle, {gap}, {name} lungs"] = peaks(f, response)
     return result

@@ -79,7 +79,7 @@ def write_fields(path, points, cells, region, names, steps):
 
 
 def voice_steps(points, cells, region, count=9):
-    """Fields over one period of 10 ms: displacement of the block, a jet, a pressure drop, a wave; NaN where undefined."""
+    """Fields over one period of 10 ms: the block moves, a jet, a pressure drop, a wave; NaN where undefined."""
     flow, air = numpy.unique(cells[region == 0]), numpy.unique(cells[region != 1])
     still = numpy.setdiff1d(numpy.arange(len(points)), numpy.unique(cells[region != 2]))
     steps = []
@@ -113,7 +113,8 @@ def voice(folder):
     """A complete run folder of a plane half model."""
     (folder / "resolved.toml").write_text(RESOLVED, encoding="utf-8")
     points, cells, region = plane_mesh()
-    write_fields(folder / "fields.h5", points, cells, region, ["flow", "fold", "room"], voice_steps(points, cells, region))
+    write_fields(folder / "fields.h5", points, cells, region, ["flow", "fold", "room"],
+                 voice_steps(points, cells, region))
     time = numpy.arange(0, 0.08, 5e-5)
     gap = 2.5e-4 * (1 + 0.8 * numpy.sin(2 * math.pi * 110 * time))
     write_columns(folder / "history.csv", {"half_model": "yes"}, {
@@ -124,7 +125,8 @@ def voice(folder):
     write_columns(folder / "microphones.csv", {"sound": "pressure_rate"}, {
         "time_s": time, "pressure_Pa.mouth": 2 * sound, "pressure_Pa.far": 0.05 * sound})
     frequency = numpy.arange(0, 10000, 10.0)
-    level = sum(70 - 20 * numpy.log10(1 + ((frequency - f) / 40) ** 2) / (1 + i) for i, f in enumerate((220, 2500, 3200))) / 3
+    level = sum(70 - 20 * numpy.log10(1 + ((frequency - peak) / 40) ** 2) / (1 + i)
+                for i, peak in enumerate((220, 2500, 3200))) / 3
     write_columns(folder / "spectra.csv", {}, {
         "frequency_Hz": frequency, "psd_dB.mouth": level, "psd_dB.far": level - 25, "transfer_dB.mouth": level - 60})
     with wave.open(str(folder / "microphones_mouth.wav"), "wb") as file:
@@ -152,5 +154,5 @@ def tract(folder):
     (folder / "resolved.toml").write_text(
         '[case]\nname = "tract"\n[[region]]\nname = "tract"\nkind = "air"\n[[region]]\nname = "room"\nkind = "air"\n',
         encoding="utf-8")
-    (folder / "summary.json").write_text(json.dumps({"case": "tract", "status": "failed", "reason": "<no reason> & more",
-                                                     "results": {"F1_Hz.front": 224.0}}), encoding="utf-8")
+    summary = {"case": "tract", "status": "failed", "reason": "<no reason> & more", "results": {"F1_Hz.front": 224.0}}
+    (folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")

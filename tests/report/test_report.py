@@ -93,7 +93,8 @@ class ReportTest(unittest.TestCase):
         self.assertIn("fields.h5 could not be read", page.text)
 
     def test_a_table_keeps_notes_and_leaves_out_a_row_cut_short(self):
-        (self.folder / "history.csv").write_text("# density_kg_m3: 1.14\ntime_s,gap_m\n0,1e-3\n1,2e-3\n2", encoding="utf-8")
+        text = "# density_kg_m3: 1.14\ntime_s,gap_m\n0,1e-3\n1,2e-3\n2"
+        (self.folder / "history.csv").write_text(text, encoding="utf-8")
         table = Run(self.folder).history
         self.assertEqual(table.notes, {"density_kg_m3": "1.14"})
         numpy.testing.assert_array_equal(table.columns["gap_m"], [1e-3, 2e-3])
