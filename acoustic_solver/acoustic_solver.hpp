@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "acoustic_solver/settings.hpp"
+#include "core/fem/field.hpp"
+#include "core/fem/space.hpp"
+
+namespace vocalis::acoustic {
+
+/// All that a later step depends on: a checkpoint of the acoustics is this. One number a local vertex, ghosts current.
+struct State {
+  double time = 0;                           ///< [s]
+  std::vector<double> p;                     ///< acoustic pressure [Pa]
+  std::vector<double> psi;                   ///< velocity potential [m^2/s], u = -∇ψ
+  std::vector<std::vector<double>> earlier;  ///< p one, two and three sub-steps ago: for the starting guess alone
+};
+
+/// How the vertices move during one `advance`: linearly in time, from begin to end. Both empty: the mesh stands still
+/// at its own coordinates. (vertices, dimension) [m], ghosts current.
+struct Motion {
+  std::span<const double> begin, end;
+};
+
+/// The right-hand side (Q, q) + <g, q>.
+struct Source {
+  const fem::Load* begin = nullptr;    ///< at the beginning of the advance, summed to the owners [m^3/s;
+  const fem::Load* end = nullptr;      ///< m^2/s in two dimensions]; linear in between. Both or none.
+  std::function<double(double)> flux;  ///< g(t) [m/s] into the air through the boundaries of kind `flux`
+};
+
+struct AdvanceReport {
+  bool converged = true;  ///< else the state is that of the last sub-step that converged
+  int sub_steps = 0;
+  int linear_iterations = 0;  ///< over all sub-steps
+  int passes = 0;             ///< linear solves: one a sub-step where the mesh stands still
+  std::string reason;         ///< empty when converged
+};
+
+/// Sound on a mesh that may move: pressure p and velocity potential ψ (u = -∇ψ), both P1,
+///
+///   (1 / (ρ c²)) (ṗ - β·∇p, q) + (∇ψ, ∇q) + <u·n, q> = (Q, q) + <g, q>,     ψ̇ - β·∇ψ = p / ρ at each vertex,
+///
+/// where the rates are at a fixed vertex, which moves with β. Time: θ-scheme with geometry and β at the middle of the
+/// sub-step; ψ eliminated, so that one symmetric positive definite system gives the pressure, whatever the step. The
+/// terms with β are iterated outside of it. Equations, boundary conditions and accuracy: docs/theory_acoustics.md.
+class AcousticSolver {
+ public:
+  /// Silence on `mesh`, which must outlive the solver or be replaced by `adopt`. PETSc's options begin with
+  /// "acoustic_". Throws UserError if a setting is out of its range or names an unknown group. Collective.
+  AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& settings);
+  ~AcousticSolver();
+  AcousticSolver(AcousticSolver&&) noexcept;
+  AcousticSolver& operator=(AcousticSolver&&) noexcept;
+
+  /// Advances by dt [s] > 0 in equal sub-steps no longer than `settings.step`, and calls on_substep(time) after each.
+  /// Collective.
+  AdvanceReport advance(double dt, const Motion& motion = {}, const Source& source = {},
+                        const std::function<void(double)>& on_substep = {});
+
+  const State& state() const { return state_; }
+  /// Goes on from another state of the same mesh, a checkpoint's; forgets what `drop_caches` forgets.
+  void set_state(State state);
+  /// Forgets matrices and preconditioner: what follows depends on the state alone, to the last bit.
+  void drop_caches();
+  /// Goes on with another mesh, of other cells, and the state carried to its vertices. Collective.
+  void adopt(const mesh::Mesh& mesh, State carried);
+
+  const AcousticSettings& settings() const { return settings_; }
+  const fem::Space& space() const;
+  fem::Field pressure() const;
+  /// Acoustic energy ∫ ½ p²/(ρ c²) + ½ ρ |u|² [J; J/m in two dimensions]. Collective.
+  double energy() const;
+
+ private:
+  struct Discretisation;
+  struct SubStep;
+  bool advance_sub_step(const SubStep& step, AdvanceReport& report);
+
+  AcousticSettings settings_;
+  std::unique_ptr<Discretisation> discretisation_;  ///< derived from the mesh and the settings
+  State state_;
+};
+
+}  // namespace vocalis::acoustic

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "acoustic_solver/settings.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace vocalis::acoustic {
+
+/// A facet of the boundary with its condition, u·n = on_pressure p + on_potential ψ, or -u·n = g(t).
+struct BoundaryFacet {
+  std::int32_t cell = 0;     ///< owned cell
+  std::int32_t index = 0;    ///< opposite to this vertex of the cell
+  double on_pressure = 0;    ///< µ / (ρ c) or 1 / (ρ c) [m/(s Pa)]
+  double on_potential = 0;   ///< 1 / R; 1 / (2 R) in two dimensions [1/m]
+  bool is_flux = false;      ///< the source g(t) enters here
+  bool is_released = false;  ///< p = 0
+};
+
+/// The conditions on all facets without a cell behind them, rigid ones left out. The first boundary of the settings
+/// that names a facet decides; a facet that none names gets the default wall admittance.
+/// Throws UserError where a boundary names a group that the mesh does not have, or a negative admittance or radius.
+/// Source of the open condition: the first-order radiation condition of Bayliss & Turkel 1980, exact for an outgoing
+/// wave of one centre in three dimensions.
+std::vector<BoundaryFacet> boundary_conditions(const mesh::Mesh& mesh, const AcousticSettings& settings);
+
+}  // namespace vocalis::acoustic

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "acoustic_solver/wave_operator.hpp"
+#include "core/la/assembled_matrix.hpp"
+#include "core/la/solve.hpp"
+
+namespace vocalis::acoustic {
+
+/// The symmetric positive definite system of a sub-step, a mass + admittance + b stiffness, and its solver: conjugate
+/// gradients. The matrix is built anew when a, b or the geometry change; the preconditioner is kept as long as it
+/// serves, since a moving mesh changes the matrix a little every step.
+class PressureSystem {
+ public:
+  /// Collective.
+  PressureSystem(const mesh::Mesh& mesh, const fem::Space& space, const std::vector<std::int32_t>& constrained,
+                 double tolerance);
+
+  /// Collective.
+  void assemble(const WaveOperator& wave, double a, double b);
+  bool is_assembled(double a, double b) const { return assembled_ && a == a_ && b == b_; }
+  void drop() { assembled_ = false; }
+
+  /// Solves for the owned values. `solution` holds the starting guess on entry; constrained entries become 0.
+  /// Collective.
+  la::SolveReport solve(std::span<const double> right_hand_side, std::span<double> solution);
+
+ private:
+  void create_solver();
+
+  la::SystemLayout layout_;
+  std::vector<std::int32_t> constrained_;
+  double tolerance_;
+  int dimension_;
+  la::AssembledMatrix matrix_;
+  la::PetscLinearSolver solver_;
+  la::PetscVector right_hand_side_, solution_;
+  std::vector<double> values_;
+  double a_ = 0, b_ = 0;
+  bool assembled_ = false;
+  bool rebuild_ = true;           ///< of the preconditioner, at the next assembly
+  int iterations_when_new_ = -1;  ///< of the first solve with the present preconditioner; -1: not yet solved
+};
+
+}  // namespace vocalis::acoustic

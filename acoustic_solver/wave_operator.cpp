@@ -1,0 +1,237 @@
+#include "acoustic_solver/wave_operator.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/base/mpi.hpp"
+#include "core/fem/simplex.hpp"
+#include "core/mesh/facets.hpp"
+
+namespace vocalis::acoustic {
+
+WaveOperator::WaveOperator(const mesh::Mesh& mesh, const fem::Space& space, const AcousticSettings& settings)
+    : mesh_(&mesh),
+      space_(&space),
+      inverse_bulk_modulus_(1 / (settings.density * settings.speed_of_sound * settings.speed_of_sound)),
+      density_(settings.density),
+      facets_(boundary_conditions(mesh, settings)),
+      coordinates_(mesh.coordinates),
+      gradients_(static_cast<std::size_t>(mesh.num_cells()) * (mesh.dimension + 1) * mesh.dimension),
+      measures_(mesh.num_cells()) {
+  const std::vector<char> all(mesh.num_vertices(), 1);
+  mesh.dimension == 2 ? compute_cells<2>(all) : compute_cells<3>(all);
+  std::vector<mesh::NamedFacet> free_facets;
+  for (const BoundaryFacet& facet : facets_) {
+    if (facet.is_released) free_facets.push_back({facet.cell, facet.index, -1});
+  }
+  const auto marks = mesh::mark_vertices(mesh, free_facets);
+  for (std::int32_t v = 0; v < mesh.vertices.num_owned; ++v) {
+    if (marks[v]) released_.push_back(v);
+  }
+}
+
+bool WaveOperator::set_geometry(std::span<const double> coordinates) {
+  assert(coordinates.size() == coordinates_.size());
+  const int d = mesh_->dimension;
+  std::vector<char> moved(mesh_->num_vertices(), 0);
+  bool any = false;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (coordinates[i] == coordinates_[i]) continue;
+    moved[i / d] = 1;
+    any = true;
+  }
+  if (!any) return false;
+  std::copy(coordinates.begin(), coordinates.end(), coordinates_.begin());
+  d == 2 ? compute_cells<2>(moved) : compute_cells<3>(moved);
+  return true;
+}
+
+template <int D>
+void WaveOperator::compute_cells(const std::vector<char>& vertex_moved) {
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    const auto vertices = mesh_->vertices_of(cell);
+    if (std::none_of(vertices.begin(), vertices.end(), [&](std::int32_t v) { return vertex_moved[v]; })) continue;
+    std::array<const double*, D + 1> corners;
+    for (int i = 0; i <= D; ++i) corners[i] = coordinates_.data() + static_cast<std::size_t>(vertices[i]) * D;
+    const auto geometry = fem::simplex_geometry<D>(corners);
+    measures_[cell] = geometry.measure;
+    for (int i = 0; i <= D; ++i) {
+      std::copy(geometry.gradient[i].begin(), geometry.gradient[i].end(),
+                gradients_.begin() + (static_cast<std::ptrdiff_t>(cell) * (D + 1) + i) * D);
+    }
+  }
+}
+
+void WaveOperator::set_velocity(std::span<const double> velocity) {
+  velocity_.assign(velocity.begin(), velocity.end());
+  moving_cells_.clear();
+  if (velocity_.empty()) return;
+  const int d = mesh_->dimension;
+  std::vector<char> moving(mesh_->num_vertices(), 0);
+  for (std::size_t i = 0; i < velocity_.size(); ++i) {
+    if (velocity_[i] != 0) moving[i / d] = 1;
+  }
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    const auto vertices = mesh_->vertices_of(cell);
+    if (std::any_of(vertices.begin(), vertices.end(), [&](std::int32_t v) { return moving[v]; })) {
+      moving_cells_.push_back(cell);
+    }
+  }
+}
+
+double WaveOperator::facet_weight(const BoundaryFacet& facet) const {
+  const int d = mesh_->dimension;
+  const double* g = gradient(facet.cell, facet.index);
+  double square = 0;
+  for (int k = 0; k < d; ++k) square += g[k] * g[k];
+  // A facet's measure is d times the cell's over the height, and 1 / height is the length of the gradient.
+  return d * measures_[facet.cell] * std::sqrt(square) / (d * (d + 1));
+}
+
+void WaveOperator::system_values(double a, double b, std::vector<double>& values) const {
+  const int d = mesh_->dimension;
+  const int n = d + 1;
+  values.resize(measures_.size() * n * n);
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    double* entry = values.data() + static_cast<std::size_t>(cell) * n * n;
+    const double mass = a * inverse_bulk_modulus_ * measures_[cell] / (n * (n + 1));
+    const double stiffness = b * measures_[cell];
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        double product = 0;
+        for (int k = 0; k < d; ++k) product += gradient(cell, i)[k] * gradient(cell, j)[k];
+        entry[i * n + j] = (i == j ? 2 : 1) * mass + stiffness * product;
+      }
+    }
+  }
+  for (const BoundaryFacet& facet : facets_) {
+    const double weight = (facet.on_pressure + b * facet.on_potential) * facet_weight(facet);
+    double* entry = values.data() + static_cast<std::size_t>(facet.cell) * n * n;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        if (i != facet.index && j != facet.index) entry[i * n + j] += (i == j ? 2 : 1) * weight;
+      }
+    }
+  }
+}
+
+void WaveOperator::add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const {
+  const int d = mesh_->dimension;
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    const auto vertices = mesh_->vertices_of(cell);
+    const double* g = gradient(cell, 0);
+    double slope[3] = {0, 0, 0};
+    for (int i = 0; i <= d; ++i) {
+      for (int k = 0; k < d; ++k) slope[k] += potential[vertices[i]] * g[i * d + k];
+    }
+    for (int i = 0; i <= d; ++i) {
+      double product = 0;
+      for (int k = 0; k < d; ++k) product += slope[k] * g[i * d + k];
+      sums[vertices[i]] += factor * measures_[cell] * product;
+    }
+  }
+  for (const BoundaryFacet& facet : facets_) {
+    if (facet.on_potential == 0) continue;
+    const double weight = factor * facet.on_potential * facet_weight(facet);
+    const auto vertices = mesh_->vertices_of(facet.cell);
+    double total = 0;
+    for (int i = 0; i <= d; ++i) total += i == facet.index ? 0 : potential[vertices[i]];
+    for (int i = 0; i <= d; ++i) {
+      if (i != facet.index) sums[vertices[i]] += weight * (total + potential[vertices[i]]);
+    }
+  }
+}
+
+void WaveOperator::add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const {
+  const int d = mesh_->dimension;
+  for (const BoundaryFacet& facet : facets_) {
+    if (facet.on_pressure == 0) continue;
+    const double weight = factor * facet.on_pressure * facet_weight(facet);
+    const auto vertices = mesh_->vertices_of(facet.cell);
+    double total = 0;
+    for (int i = 0; i <= d; ++i) total += i == facet.index ? 0 : pressure[vertices[i]];
+    for (int i = 0; i <= d; ++i) {
+      if (i != facet.index) sums[vertices[i]] += weight * (total + pressure[vertices[i]]);
+    }
+  }
+}
+
+void WaveOperator::add_flux(double g, std::span<double> sums) const {
+  const int d = mesh_->dimension;
+  for (const BoundaryFacet& facet : facets_) {
+    if (!facet.is_flux) continue;
+    const auto vertices = mesh_->vertices_of(facet.cell);
+    for (int i = 0; i <= d; ++i) {
+      if (i != facet.index) sums[vertices[i]] += g * (d + 1) * facet_weight(facet);
+    }
+  }
+}
+
+void WaveOperator::add_convection(std::span<const double> pressure, std::span<double> sums) const {
+  const int d = mesh_->dimension;
+  for (const std::int32_t cell : moving_cells_) {
+    const auto vertices = mesh_->vertices_of(cell);
+    double rate[4], total = 0;  // of ∇p with β at each vertex
+    double slope[3] = {0, 0, 0};
+    for (int i = 0; i <= d; ++i) {
+      for (int k = 0; k < d; ++k) slope[k] += pressure[vertices[i]] * gradient(cell, i)[k];
+    }
+    for (int i = 0; i <= d; ++i) {
+      rate[i] = 0;
+      for (int k = 0; k < d; ++k) rate[i] += velocity_[static_cast<std::size_t>(vertices[i]) * d + k] * slope[k];
+      total += rate[i];
+    }
+    const double weight = inverse_bulk_modulus_ * measures_[cell] / ((d + 1) * (d + 2));
+    for (int i = 0; i <= d; ++i) sums[vertices[i]] += weight * (total + rate[i]);
+  }
+}
+
+void WaveOperator::potential_convection(std::span<const double> potential, std::vector<double>& rates) const {
+  // At a vertex: β times the mean of the gradients of the cells around it, each weighed by its measure. All cells
+  // count, so that a vertex between moving and still cells sees both sides.
+  const int d = mesh_->dimension;
+  const std::size_t columns = static_cast<std::size_t>(d) + 1;
+  std::vector<double> sums(mesh_->num_vertices() * columns, 0.0);
+  for (const std::int32_t cell : moving_cells_) {
+    const auto vertices = mesh_->vertices_of(cell);
+    double slope[3] = {0, 0, 0};
+    for (int i = 0; i <= d; ++i) {
+      for (int k = 0; k < d; ++k) slope[k] += potential[vertices[i]] * gradient(cell, i)[k];
+    }
+    for (const std::int32_t vertex : vertices) {
+      double* sum = sums.data() + vertex * columns;
+      for (int k = 0; k < d; ++k) sum[k] += measures_[cell] * slope[k];
+      sum[d] += measures_[cell];
+    }
+  }
+  space_->halo.add_to_owners(sums, d + 1);
+  space_->halo.copy_to_ghosts(sums, d + 1);
+  rates.assign(mesh_->num_vertices(), 0.0);
+  for (std::int32_t v = 0; v < mesh_->num_vertices(); ++v) {
+    const double* sum = sums.data() + v * columns;
+    if (sum[d] == 0) continue;
+    for (int k = 0; k < d; ++k) rates[v] += velocity_[static_cast<std::size_t>(v) * d + k] * sum[k] / sum[d];
+  }
+}
+
+double WaveOperator::energy(std::span<const double> pressure, std::span<const double> potential) const {
+  const int d = mesh_->dimension;
+  double result = 0;
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    const auto vertices = mesh_->vertices_of(cell);
+    double total = 0, squares = 0, slope[3] = {0, 0, 0};
+    for (int i = 0; i <= d; ++i) {
+      const double p = pressure[vertices[i]];
+      total += p;
+      squares += p * p;
+      for (int k = 0; k < d; ++k) slope[k] += potential[vertices[i]] * gradient(cell, i)[k];
+    }
+    const double speed_square = slope[0] * slope[0] + slope[1] * slope[1] + slope[2] * slope[2];
+    result += 0.5 * measures_[cell] *
+              (inverse_bulk_modulus_ * (total * total + squares) / ((d + 1) * (d + 2)) + density_ * speed_square);
+  }
+  return base::sum(mesh_->comm, result);
+}
+
+}  // namespace vocalis::acoustic

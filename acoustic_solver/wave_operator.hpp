@@ -1,0 +1,76 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "acoustic_solver/boundaries.hpp"
+#include "core/fem/space.hpp"
+
+namespace vocalis::acoustic {
+
+/// The integrals of the wave equation over P1 functions p, ψ on one geometry, boundary terms included:
+///
+///   mass          (1 / (ρ c²)) (p, q)          consistent: where a step is near h / c its dispersion and that of
+///                                              Crank–Nicolson cancel in part
+///   stiffness     (∇ψ, ∇q) + <ψ / R, q>_open
+///   admittance    <µ p / (ρ c), q>_walls, open
+///   convection    (1 / (ρ c²)) (β·∇p, q), and β·∇ψ at the vertices
+///
+/// Functions that add leave the sums of each rank over its own cells: the caller adds them to the owners. Arrays have
+/// one number a local vertex, ghosts current where they are read.
+class WaveOperator {
+ public:
+  /// `space` is P1 on `mesh`; both must outlive the operator. The geometry is that of the mesh. Collective.
+  WaveOperator(const mesh::Mesh& mesh, const fem::Space& space, const AcousticSettings& settings);
+
+  /// Other coordinates, (vertices, dimension) [m]: recomputes the cells with a vertex that moved. Returns whether any
+  /// moved on this rank. Not collective.
+  bool set_geometry(std::span<const double> coordinates);
+
+  /// Cells with a vertex of non-zero velocity, in which `add_convection` and `potential_convection` integrate.
+  ///
+  /// velocity  (vertices, dimension) β [m/s]; empty: nothing moves
+  void set_velocity(std::span<const double> velocity);
+
+  /// (cells, n, n) values of  a mass + admittance + b stiffness.
+  void system_values(double a, double b, std::vector<double>& values) const;
+
+  void add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const;
+  void add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const;
+  /// <g, q> over the facets where the source enters. g [m/s]
+  void add_flux(double g, std::span<double> sums) const;
+  void add_convection(std::span<const double> pressure, std::span<double> sums) const;
+
+  /// β·∇ψ at the vertices [m^2/s^2], the lumped L2 projection; ghosts current. Collective.
+  void potential_convection(std::span<const double> potential, std::vector<double>& rates) const;
+
+  /// Acoustic energy ½ p²/(ρ c²) + ½ ρ |∇ψ|², over all ranks [J; J/m in two dimensions]. Collective.
+  double energy(std::span<const double> pressure, std::span<const double> potential) const;
+
+  /// Owned vertices with p = 0.
+  const std::vector<std::int32_t>& released() const { return released_; }
+  std::span<const double> coordinates() const { return coordinates_; }
+
+ private:
+  template <int D>
+  void compute_cells(const std::vector<char>& vertex_moved);
+  /// Weight of the pair (i, j) of a facet's vertices, measure / (d (d + 1)) (1 + δij).
+  double facet_weight(const BoundaryFacet& facet) const;
+  const double* gradient(std::int32_t cell, int vertex) const {
+    return gradients_.data() + (static_cast<std::size_t>(cell) * (mesh_->dimension + 1) + vertex) * mesh_->dimension;
+  }
+
+  const mesh::Mesh* mesh_;
+  const fem::Space* space_;
+  double inverse_bulk_modulus_;  ///< 1 / (ρ c²) [1/Pa]
+  double density_;               ///< ρ [kg/m^3]
+  std::vector<BoundaryFacet> facets_;
+  std::vector<std::int32_t> released_;
+  std::vector<double> coordinates_;  ///< (vertices, dimension) [m] of the integrals
+  std::vector<double> gradients_;    ///< (cells, dimension + 1, dimension) of the P1 basis [1/m]
+  std::vector<double> measures_;     ///< (cells) [m^2, m^3]
+  std::vector<double> velocity_;     ///< β, or empty
+  std::vector<std::int32_t> moving_cells_;
+};
+
+}  // namespace vocalis::acoustic

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "acoustic_solver/acoustic_solver.hpp"
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
+#include "core/mesh/generate.hpp"
+#include "tests/all_ranks.hpp"
+
+namespace vocalis::acoustic {
+namespace {
+
+AcousticSettings unit_medium(double step) {
+  AcousticSettings settings;
+  settings.speed_of_sound = 1;
+  settings.density = 2;
+  settings.step = step;
+  settings.solver_tolerance = 1e-12;
+  return settings;
+}
+
+mesh::Mesh unit_box(MPI_Comm comm, int dimension, int cells) {
+  return mesh::distribute(comm, mesh::box(comm, {1, 0.5, dimension == 3 ? 0.25 : 0.0}, {cells, cells / 2, cells / 4}));
+}
+
+/// A smooth bump of pressure that is not symmetric, zero potential.
+State bump(const mesh::Mesh& mesh) {
+  State state;
+  state.psi.assign(mesh.num_vertices(), 0.0);
+  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+    double square = 0;
+    const double centre[3] = {0.3, 0.2, 0.1};
+    for (int k = 0; k < mesh.dimension; ++k) square += std::pow((mesh.point(v)[k] - centre[k]) / 0.15, 2);
+    state.p.push_back(std::exp(-square));
+  }
+  return state;
+}
+
+/// x moved by a smooth field that vanishes on the boundary.
+std::vector<double> deformed(const mesh::Mesh& mesh, double amplitude) {
+  std::vector<double> result = mesh.coordinates;
+  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+    const double* x = mesh.point(v);
+    double shape = std::sin(std::numbers::pi * x[0]) * std::sin(2 * std::numbers::pi * x[1]);
+    if (mesh.dimension == 3) shape *= std::sin(4 * std::numbers::pi * x[2]);
+    result[static_cast<std::size_t>(v) * mesh.dimension] += amplitude * shape;
+  }
+  return result;
+}
+
+/// Pressure at every vertex of the input mesh, on every rank.
+std::vector<double> by_input_number(const mesh::Mesh& mesh, const std::vector<double>& values) {
+  std::vector<double> all(mesh.vertices.num_global, 0.0);
+  for (std::int32_t v = 0; v < mesh.vertices.num_owned; ++v) all[mesh.vertex_input[v]] = values[v];
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, mesh.comm);
+  return all;
+}
+
+/// Walls, an open end, a flux, a distributed source and a moving mesh together.
+std::vector<double> run_everything(MPI_Comm comm, int dimension) {
+  const mesh::Mesh mesh = unit_box(comm, dimension, 16);
+  AcousticSettings settings = unit_medium(0.02);
+  settings.wall_admittance = 0.1;
+  settings.boundaries = {{"left", AcousticBoundaryKind::flux},
+                         {"right", AcousticBoundaryKind::open, 0, 1.5},
+                         {"top", AcousticBoundaryKind::pressure_release}};
+  AcousticSolver solver(mesh, settings);
+  fem::Load load(solver.space(), 1);
+  for (std::int32_t v = 0; v < mesh.vertices.num_owned; ++v) load.values[v] = 1e-3 * mesh.point(v)[0];
+  const Source source = {&load, &load, [](double t) { return std::sin(5 * t); }};
+  const auto moved = deformed(mesh, 0.02);
+  bool converged = true;
+  for (int n = 0; n < 5; ++n) {
+    const bool forth = n % 2 == 0;
+    const Motion motion = forth ? Motion{mesh.coordinates, moved} : Motion{moved, mesh.coordinates};
+    const AdvanceReport report = solver.advance(0.1, motion, source);
+    converged = converged && report.converged && report.sub_steps == 5 && report.passes > 5;
+  }
+  REQUIRE_ON_ALL_RANKS(converged);
+  return by_input_number(mesh, solver.state().p);
+}
+
+}  // namespace
+
+TEST_CASE("sound does not depend on the number of ranks") {
+  for (const int dimension : {2, 3}) {
+    const auto alone = run_everything(MPI_COMM_SELF, dimension);
+    const auto together = run_everything(MPI_COMM_WORLD, dimension);
+    REQUIRE_ON_ALL_RANKS(alone.size() == together.size());
+    double largest = 0, difference = 0;
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      largest = std::max(largest, std::abs(alone[i]));
+      difference = std::max(difference, std::abs(alone[i] - together[i]));
+    }
+    CHECK(largest > 0.1);
+    CHECK(difference < 1e-10 * largest);
+  }
+}
+
+TEST_CASE("a closed cavity keeps its energy over a thousand steps, and only with theta = 1/2") {
+  for (const int dimension : {2, 3}) {
+    const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, dimension, 8);
+    for (const double theta : {0.5, 0.6}) {
+      AcousticSettings settings = unit_medium(0.05);
+      settings.theta = theta;
+      AcousticSolver solver(mesh, settings);
+      solver.set_state(bump(mesh));
+      const double before = solver.energy();
+      const AdvanceReport report = solver.advance(50);
+      REQUIRE_ON_ALL_RANKS(report.converged);
+      CHECK(report.sub_steps == 1000);
+      CHECK(report.passes == 1000);
+      const double change = std::abs(solver.energy() / before - 1);
+      if (theta == 0.5) CHECK(change < 1e-9);
+      if (theta == 0.6) CHECK(change > 1e-2);
+    }
+  }
+}
+
+TEST_CASE("walls that admit sound, and an open end, take energy at every step") {
+  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 16);
+  std::vector<double> left_over;
+  for (const double admittance : {0.01, 0.1}) {
+    AcousticSettings settings = unit_medium(0.05);
+    settings.wall_admittance = admittance;
+    AcousticSolver solver(mesh, settings);
+    solver.set_state(bump(mesh));
+    const double start = solver.energy();
+    double before = start;
+    bool decays = true;
+    for (int n = 0; n < 60; ++n) {
+      solver.advance(0.05);
+      const double now = solver.energy();
+      decays = decays && now < before;
+      before = now;
+    }
+    CHECK(decays);
+    left_over.push_back(before / start);
+  }
+  CHECK(left_over[0] > 0.5);
+  CHECK(left_over[1] < 0.3);
+  AcousticSettings settings = unit_medium(0.05);
+  settings.boundaries = {{"right", AcousticBoundaryKind::open}};
+  AcousticSolver solver(mesh, settings);
+  solver.set_state(bump(mesh));
+  const double start = solver.energy();
+  solver.advance(3);
+  CHECK(solver.energy() < 0.7 * start);
+}
+
+TEST_CASE("a run that goes on from its state equals the run that was not interrupted, to the last bit") {
+  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 3, 8);
+  AcousticSettings settings = unit_medium(0.02);
+  settings.wall_admittance = 0.05;
+  const auto moved = deformed(mesh, 0.02);
+  const auto steps = [&](AcousticSolver& solver, int first, int last) {
+    for (int n = first; n < last; ++n) {
+      const Motion motion = n % 2 == 0 ? Motion{mesh.coordinates, moved} : Motion{moved, mesh.coordinates};
+      solver.advance(0.05, motion);
+    }
+  };
+  AcousticSolver whole(mesh, settings), first(mesh, settings), second(mesh, settings);
+  whole.set_state(bump(mesh));
+  steps(whole, 0, 4);
+  whole.drop_caches();
+  steps(whole, 4, 8);
+  first.set_state(bump(mesh));
+  steps(first, 0, 4);
+  second.set_state(first.state());
+  steps(second, 4, 8);
+  CHECK(second.state().time == whole.state().time);
+  CHECK(second.state().p == whole.state().p);
+  CHECK(second.state().psi == whole.state().psi);
+}
+
+TEST_CASE("moving there and back inside of a still cavity returns to the same mesh and keeps the energy nearly") {
+  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 16);
+  AcousticSolver solver(mesh, unit_medium(0.025));
+  solver.set_state(bump(mesh));
+  const double before = solver.energy();
+  const auto moved = deformed(mesh, 0.03);
+  int passes = 0;
+  for (int n = 0; n < 20; ++n) {
+    const Motion motion = n % 2 == 0 ? Motion{mesh.coordinates, moved} : Motion{moved, mesh.coordinates};
+    passes += solver.advance(0.1, motion).passes;
+  }
+  CHECK(passes > 80);
+  CHECK(std::abs(solver.energy() / before - 1) < 0.02);
+  // A motion whose ends are equal is no motion.
+  CHECK(solver.advance(0.1, Motion{mesh.coordinates, mesh.coordinates}).passes == 4);
+}
+
+TEST_CASE("wrong settings are the user's mistake, told by rule, value and remedy") {
+  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 4);
+  AcousticSettings no_step = unit_medium(0);
+  CHECK_THROWS_AS(AcousticSolver(mesh, no_step), base::UserError);
+  AcousticSettings no_group = unit_medium(0.1);
+  no_group.boundaries = {{"lips", AcousticBoundaryKind::open}};
+  CHECK_THROWS_WITH(AcousticSolver(mesh, no_group), Catch::Contains("lips") && Catch::Contains("left"));
+  AcousticSettings gains = unit_medium(0.1);
+  gains.wall_admittance = -1;
+  CHECK_THROWS_AS(AcousticSolver(mesh, gains), base::UserError);
+  AcousticSettings theta = unit_medium(0.1);
+  theta.theta = 0.4;
+  CHECK_THROWS_AS(AcousticSolver(mesh, theta), base::UserError);
+}
+
+TEST_CASE("a linear solve that fails is reported and leaves the state of the last good sub-step") {
+  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 8);
+  AcousticSettings settings = unit_medium(0.1);
+  settings.boundaries = {{"left", AcousticBoundaryKind::flux}};
+  AcousticSolver solver(mesh, settings);
+  Source source;
+  source.flux = [](double t) { return t < 0.35 ? 1.0 : std::numeric_limits<double>::quiet_NaN(); };
+  double last = 0;
+  const AdvanceReport report = solver.advance(1, {}, source, [&](double t) { last = t; });
+  CHECK_FALSE(report.converged);
+  CHECK_FALSE(report.reason.empty());
+  CHECK(report.sub_steps == 3);
+  CHECK(solver.state().time == last);
+  CHECK(last == Approx(0.3));
+  CHECK(std::all_of(solver.state().p.begin(), solver.state().p.end(), [](double p) { return std::isfinite(p); }));
+}
+
+}  // namespace vocalis::acoustic
