@@ -1,0 +1,2 @@
+// A square bracket too few.
+Point(1) = {0, 0, 0, 0.5;

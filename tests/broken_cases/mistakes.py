@@ -1,0 +1,108 @@
+"""The mistakes: each is a sound case with one thing wrong.
+
+Mistake(name, case, change, words, ...): `change` is a list of (text of the case, what stands there instead); the
+message must hold all `words`, which name the place, the rule, or the remedy.
+"""
+
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Mistake:
+    name: str
+    case: str
+    change: list = field(default_factory=list)
+    words: list = field(default_factory=list)
+    arguments: list = field(default_factory=list)
+    command: str = "check"
+
+
+def scene(name, old, new, *words):
+    return Mistake(name, "scene.toml", [(old, new)], list(words))
+
+
+def override(name, assignment, *words):
+    return Mistake(name, "scene.toml", [], list(words), ["--set", assignment])
+
+
+def mesh(name, file, *words):
+    key = "geometry" if file.endswith(".geo") else "file"
+    return Mistake(name, "square.toml", [('file = "two_cells.msh"', f'{key} = "{file}"')], [file, *words])
+
+
+MISTAKES = [
+    # The text of the case
+    scene("unknown key", "viscosity = ", "viscosty = ", "scene.toml:28", "viscosty", "did you mean \"viscosity\""),
+    scene("unknown table", "[output]", "[ouput]", "ouput", "did you mean \"output\""),
+    scene("unknown key in an array", "ramp = 1e-3", "rmap = 1e-3", "flow.boundary[inlet].rmap", "ramp"),
+    scene("invalid TOML", "density = 1.2", "density = = 1.2", "scene.toml:27", "TOML"),
+    scene("key twice", "density = 1.2", "density = 1.2\ndensity = 1.3", "scene.toml:28", "TOML"),
+    scene("text for a number", "density = 1.2", 'density = "1.2"', "scene.toml:27", "flow.density", "without quotes"),
+    scene("value with a unit", "end = 4e-5", 'end = "10 ms"', "time.end", "10 ms", "[s]", "unit"),
+    scene("number for a text", 'kind = "fluid"', "kind = 1", "region[duct].kind", "in quotes"),
+    scene("boolean for a number", "dt = 1e-5\nscheme", "dt = true\nscheme", "time.dt", "true"),
+    scene("table for a number", "density = 1.2", "density = { value = 1.2 }", "flow.density", "a table"),
+    scene("real for a whole number", "checkpoint_steps = 2", "checkpoint_steps = 2.5", "checkpoint_steps", "whole"),
+    scene("one table for many", "[[microphone]]", "[microphone]", "microphone", "[[microphone]]"),
+    scene("missing key", "end = 4e-5\n", "", "time.end is needed", "[s]"),
+    scene("missing table", "[time]\nend = 4e-5\ndt = 1e-5\nscheme = \"bdf2\"\n", "", "time is needed"),
+    # Values out of range
+    scene("not a number", "density = 1.2", "density = nan", "flow.density", "finite", "nan"),
+    scene("infinite", "end = 4e-5", "end = inf", "time.end", "finite", "inf"),
+    scene("negative density", "density = 1.2", "density = -1.2", "flow.density", "positive", "-1.2"),
+    scene("no step", "dt = 1e-5\nscheme", "dt = 0\nscheme", "time.dt", "positive"),
+    scene("step longer than the run", "dt = 1e-5\nscheme", "dt = 1\nscheme", "time.dt", "time.end"),
+    scene("compressible with ratio one half", "poisson_ratio = 0.4", "poisson_ratio = 0.5", "incompressible = true"),
+    scene("theta below one half", 'scheme = "bdf2"', 'scheme = "theta"\ntheta = 0.3', "time.theta", "from 0.5 to 1"),
+    scene("point with one coordinate", "[0.025, 0.005]", "[0.025]", "microphone[outside].position", "2 to 3"),
+    scene("point off the plane", "[0.025, 0.005]", "[0.025, 0.005, 0.1]", "microphone[outside].position", "2"),
+    scene("point not finite", "[0.025, 0.005]", "[0.025, nan]", "microphone[outside].position", "finite"),
+    # Names
+    scene("unknown scheme", '"bdf2"', '"euler"', "time.scheme", "theta, bdf2"),
+    scene("unknown analogy", '"pressure_rate"', '"presure_rate"', "analogy", "did you mean \"pressure_rate\""),
+    scene("unknown material", "density = 1040", 'material = "steel"\ndensity = 1040', "material", "neo_hookean"),
+    scene("unknown region", 'name = "room"', 'name = "rom"', "region[rom].name", "did you mean \"room\""),
+    scene("region left out", '[[region]]\nname = "room"\nkind = "air"\n', "", "room", "[[region]]"),
+    scene("unknown group", 'group = "inlet"', 'group = "inlett"', "inlett", "did you mean \"inlet\""),
+    scene("unknown group of sound", 'group = "open"', 'group = "sky"', "acoustic[sound].boundary[sky].group", "sky"),
+    scene("two regions of one name", 'name = "room"', 'name = "duct"', "region", "name of its own", "duct"),
+    scene("two microphones of one name", "[[monitor]]",
+          '[[microphone]]\nname = "outside"\nposition = [0.0, 0.005]\n[[monitor]]', "microphone", "name of its own"),
+    scene("name unfit for a file", 'name = "outside"', 'name = "out/side"', "microphone", "letters, digits"),
+    # Rules over several sections
+    scene("no fluid for the flow", 'kind = "fluid"', 'kind = "air"', "flow", "region of fluid"),
+    scene("flow and source", "[time]", '[source]\nkind = "lf"\ngroup = "inlet"\n[time]', "[flow]", "[source]"),
+    scene("microphone in a solid", "[0.025, 0.005]", "[0.01, 0.002]", "microphone", "outside"),
+    scene("microphone outside", "[0.025, 0.005]", "[0.5, 0.005]", "microphone", "outside"),
+    Mistake("regions missing", "square.toml", [('[[region]]\nname = "air"\nkind = "air"\n', "")], ["[[region]]"]),
+    Mistake("nothing moves the air", "square.toml", [('[source]\nkind = "gaussian_pulse"\ngroup = "inlet"\n', "")],
+            ["[flow]", "[source]"]),
+    Mistake("source without sound", "square.toml", [("[[acoustic]]\ndt = 1e-4", ""), ("end = 1e-3", "end = 1e-3\ndt = 1e-4")],
+            ["[[acoustic]]"]),
+    # The mesh
+    scene("missing geometry", '"scene.geo"', '"nowhere.geo"', "mesh.geometry", "nowhere.geo"),
+    scene("geometry and mesh", '"scene.geo"', '"scene.geo"\nfile = "two_cells.msh"', "geometry", "file"),
+    scene("unknown parameter", "h = 0.002", "hh = 0.002", "mesh.parameters", "hh"),
+    mesh("empty geometry", "empty.geo"),
+    mesh("geometry that Gmsh cannot read", "bad_syntax.geo"),
+    mesh("geometry without named groups", "no_groups.geo", "group"),
+    mesh("geometry without area", "only_curves.geo"),
+    mesh("missing mesh", "nowhere.msh", "mesh.file"),
+    mesh("file that is no mesh", "letter.msh"),
+    mesh("mesh that ends too early", "truncated.msh"),
+    mesh("cell without area", "flat_cell.msh"),
+    mesh("vertex that is not a number", "nan_node.msh"),
+    mesh("cell with a missing vertex", "missing_node.msh"),
+    mesh("quadrangle", "quadrangle.msh", "triangle"),
+    # The command
+    override("unknown key in --set", "time.dtt=1e-6", "--set time.dtt=1e-6", "did you mean \"dt\""),
+    override("--set without a value", "time.dt", "KEY=VALUE"),
+    override("--set with an empty name", "time..dt=1", "--set time..dt=1"),
+    override("--set of an element that is not there", "region.wall.density=1", "wall", "duct, block, room"),
+    override("--set of an index too large", "acoustic.3.dt=1", "less than 1"),
+    override("--set of a wrong value", "time.dt=fast", "--set time.dt=fast", "a number"),
+    Mistake("unknown command", "scene.toml", words=["remedy"], command="fly"),
+    Mistake("unknown option", "scene.toml", words=["--speed"], arguments=["--speed", "3"]),
+    Mistake("run folder inside a file", "scene.toml", words=["scene.toml/run"], command="run",
+            arguments=["--out", "{folder}/scene.toml/run"]),
+]

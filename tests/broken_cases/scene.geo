@@ -1,0 +1,20 @@
+// A duct with an elastic block on its floor, and a room behind it. [m]
+DefineConstant[ h = 0.002 ];
+Point(1) = {0, 0, 0, h};        Point(2) = {0.008, 0, 0, h};     Point(3) = {0.008, 0.004, 0, h};
+Point(4) = {0.012, 0.004, 0, h}; Point(5) = {0.012, 0, 0, h};    Point(6) = {0.02, 0, 0, h};
+Point(7) = {0.02, 0.01, 0, h};  Point(8) = {0, 0.01, 0, h};      Point(9) = {0.03, 0, 0, h};
+Point(10) = {0.03, 0.01, 0, h};
+Line(1) = {1, 2};  Line(2) = {2, 3};  Line(3) = {3, 4};  Line(4) = {4, 5};   Line(5) = {5, 6};
+Line(6) = {6, 7};  Line(7) = {7, 8};  Line(8) = {8, 1};  Line(9) = {2, 5};   Line(10) = {6, 9};
+Line(11) = {9, 10}; Line(12) = {10, 7};
+Curve Loop(1) = {1 : 8};             Plane Surface(1) = {1};
+Curve Loop(2) = {9, -4, -3, -2};     Plane Surface(2) = {2};
+Curve Loop(3) = {10, 11, 12, -6};    Plane Surface(3) = {3};
+Physical Surface("duct") = {1};
+Physical Surface("block") = {2};
+Physical Surface("room") = {3};
+Physical Curve("inlet") = {8};
+Physical Curve("walls") = {1, 5, 7};
+Physical Curve("base") = {9};
+Physical Curve("mouth") = {6};
+Physical Curve("open") = {11};
