@@ -64,7 +64,7 @@ def result_name(name):
 
 
 def key_figures(summary):
-    """Every result, beside what was expected of it."""
+    """Every result, beside what was expected of it; error and tolerance are in the result's own unit."""
     results = summary.get("results") or {}
     expected = summary.get("expected") or {}
     rows = []
@@ -74,10 +74,11 @@ def key_figures(summary):
         row = [label, shown(value) if value is not None else ("not obtained", "bad"), unit]
         wanted = expected.get(name)
         if isinstance(wanted, dict):
-            error, tolerance = wanted.get("error"), wanted.get("tolerance")
-            judged = isinstance(error, (int, float)) and isinstance(tolerance, (int, float))
-            kind = ("good" if abs(error) <= tolerance else "bad") if judged else ""
-            row += [shown(wanted.get("value", "")), shown(error) if error is not None else "",
+            target, tolerance = wanted.get("value"), wanted.get("tolerance")
+            known = isinstance(value, (int, float)) and isinstance(target, (int, float))
+            judged = known and isinstance(tolerance, (int, float))
+            kind = ("good" if abs(value - target) <= tolerance else "bad") if judged else ""
+            row += [shown(target if target is not None else ""), shown(value - target) if known else "",
                     shown(tolerance) if tolerance is not None else "",
                     ({"good": "within", "bad": "outside", "": ""}[kind], kind), escape(wanted.get("source", ""))]
         elif expected:

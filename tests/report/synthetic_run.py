@@ -141,8 +141,8 @@ def voice(folder):
         "phases": {"flow.assemble": 30.1, "flow.solve": 41.2, "mesh_motion": 5.5, "contact": 0.4, "acoustic": 6.2},
         "results": {"f0_Hz.mouth": 110.2, "F1_Hz.mouth": 221.4, "F2_Hz.mouth": 2483.0, "F3_Hz.mouth": 3170.0,
                     "B1_Hz.mouth": 61.0, "SPL_dB.mouth": 84.2, "gap_peak_m": 4.5e-4, "flow_mean_m2_s": 5.1e-3},
-        "expected": {"F1_Hz.mouth": {"value": 226, "tolerance": 0.1, "source": "one-dimensional tract", "error": 0.02},
-                     "F2_Hz.mouth": {"value": 2200, "tolerance": 0.05, "source": "made up", "error": 0.13}}}
+        "expected": {"F1_Hz.mouth": {"value": 226, "tolerance": 7, "source": "one-dimensional tract", "error": -4.6},
+                     "F2_Hz.mouth": {"value": 2200, "tolerance": 50, "source": "made up", "error": 283}}}
     (folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
 
 
