@@ -10,13 +10,13 @@ enum class SolidModel { neo_hookean, saint_venant_kirchhoff };
 
 /// One solid region. The Lamé constants follow from E and ν; an incompressible material takes µ = E / 3.
 struct SolidMaterial {
-  std::string region;                              ///< name of the group of cells
+  std::string region;  ///< name of the group of cells
   SolidModel model = SolidModel::neo_hookean;
-  bool incompressible = false;                     ///< the pressure becomes an unknown there
-  double density = 1040;                           ///< ρs [kg/m^3]
-  double young_modulus = 0;                        ///< E [Pa], > 0
-  double poisson_ratio = 0.4;                      ///< ν [-], in (-1, 0.5); unused when incompressible
-  double damping = 0;                              ///< Kelvin–Voigt viscosity η [Pa s], S_v = 2 η dE/dt
+  bool incompressible = false;  ///< the pressure becomes an unknown there
+  double density = 1040;        ///< ρs [kg/m^3]
+  double young_modulus = 0;     ///< E [Pa], > 0
+  double poisson_ratio = 0.4;   ///< ν [-], in (-1, 0.5); unused when incompressible
+  double damping = 0;           ///< Kelvin–Voigt viscosity η [Pa s], S_v = 2 η dE/dt
 };
 
 enum class FlowBoundaryKind {
@@ -34,33 +34,33 @@ enum class VelocityProfile { uniform, parabolic };
 struct FlowBoundary {
   std::string group;
   FlowBoundaryKind kind = FlowBoundaryKind::wall;
-  double pressure = 0;                             ///< [Pa], for `pressure` and `outlet`
-  std::array<double, 3> velocity = {0, 0, 0};      ///< [m/s], for `velocity`: (mean) velocity vector
+  double pressure = 0;                                 ///< [Pa], for `pressure` and `outlet`
+  std::array<double, 3> velocity = {0, 0, 0};          ///< [m/s], for `velocity`: (mean) velocity vector
   VelocityProfile profile = VelocityProfile::uniform;  ///< parabolic: 1.5 times the mean in the middle (2-D), by the
                                                        ///< distance between the end points of the group
-  double ramp = 0;                                 ///< [s]; 0: at once
+  double ramp = 0;                                     ///< [s]; 0: at once
 };
 
 enum class TimeScheme { theta, bdf2 };
 
 struct TimeSettings {
-  double end = 0;                                  ///< [s], > 0
-  double step = 0;                                 ///< dt [s], > 0
+  double end = 0;   ///< [s], > 0
+  double step = 0;  ///< dt [s], > 0
   TimeScheme scheme = TimeScheme::bdf2;
-  double theta = 0.5;                              ///< one-leg θ in [0.5, 1]; ½ rings, ½ + O(dt) damps (Wick 2013)
-  double smallest_step = 0;                        ///< [s]; 0: dt / 64. A smaller step fails the run
+  double theta = 0.5;        ///< one-leg θ in [0.5, 1]; ½ rings, ½ + O(dt) damps (Wick 2013)
+  double smallest_step = 0;  ///< [s]; 0: dt / 64. A smaller step fails the run
 };
 
 struct FlowSettings {
-  double density = 1.2;                            ///< ρ [kg/m^3]
-  double viscosity = 1.8e-5;                       ///< µ [Pa s]
+  double density = 1.2;       ///< ρ [kg/m^3]
+  double viscosity = 1.8e-5;  ///< µ [Pa s]
   std::vector<FlowBoundary> boundaries;
   std::vector<SolidMaterial> solids;
-  std::array<double, 3> gravity = {0, 0, 0};       ///< body force of solids and fluid [m/s^2]
-  double newton_tolerance = 1e-8;                  ///< relative, per field and region
-  int newton_iterations = 15;                      ///< a step that needs more is rejected and halved
-  double backflow_stabilisation = 0.5;             ///< weight of -ρ (v·n)_- v·w at outlets, in [0, 1]
-  double mesh_stiffening = 1.0;                    ///< exponent of 1 / volume in the elastic mesh smoother
+  std::array<double, 3> gravity = {0, 0, 0};  ///< body force of solids and fluid [m/s^2]
+  double newton_tolerance = 1e-8;             ///< relative, per field and region
+  int newton_iterations = 15;                 ///< a step that needs more is rejected and halved
+  double backflow_stabilisation = 0.5;        ///< weight of -ρ (v·n)_- v·w at outlets, in [0, 1]
+  double mesh_stiffening = 1.0;               ///< exponent of 1 / volume in the elastic mesh smoother
 };
 
 }  // namespace vocalis::fsi

@@ -1,0 +1,236 @@
+#include "fsi_solver/conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/case_table.hpp"
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
+#include "core/mesh/facets.hpp"
+#include "core/mesh/geometry.hpp"
+
+namespace vocalis::fsi {
+
+namespace {
+
+using mesh::Mesh;
+using mesh::NamedFacet;
+
+std::vector<NamedFacet> exterior_facets_of(const Mesh& mesh, const std::string& group) {
+  std::vector<NamedFacet> facets = mesh::facets_of_group(mesh, group);
+  std::erase_if(facets, [&](const NamedFacet& facet) {
+    return mesh.cell_neighbours[static_cast<std::size_t>(facet.cell) * (mesh.dimension + 1) + facet.index] >= 0;
+  });
+  return facets;
+}
+
+/// The axis that the normal of a facet is parallel to, or -1.
+int axis_of(const Mesh& mesh, const NamedFacet& facet) {
+  const auto normal = mesh::facet_geometry(mesh, facet.cell, facet.index).normal;
+  for (int k = 0; k < mesh.dimension; ++k) {
+    if (std::abs(normal[k]) > 1 - 1e-8) return k;
+  }
+  return -1;
+}
+
+/// Profile with mean 1 and zero rim: a parabola between the two farthest points of the group, a paraboloid on a disc.
+class Profile {
+ public:
+  Profile(const Mesh& mesh, const std::vector<NamedFacet>& facets) : d_(mesh.dimension) {
+    std::vector<double> here;
+    for (const NamedFacet& facet : facets) {
+      const auto corners = mesh::facet_vertices(mesh, facet.cell, facet.index);
+      for (int i = 0; i < d_; ++i) here.insert(here.end(), mesh.point(corners[i]), mesh.point(corners[i]) + d_);
+    }
+    const std::vector<double> points = base::concatenate_all(mesh.comm, here);
+    // The point farthest from any point, then the one farthest from that: the ends of a straight line or of a disc.
+    const auto farthest = [&](const double* from) {
+      const double* best = from;
+      for (std::size_t i = 0; i < points.size(); i += d_) {
+        if (distance(from, &points[i]) > distance(from, best)) best = &points[i];
+      }
+      return best;
+    };
+    if (points.empty()) return;
+    const double* a = farthest(points.data());
+    const double* b = farthest(a);
+    for (int k = 0; k < d_; ++k) centre_[k] = 0.5 * (a[k] + b[k]);
+    radius_ = 0.5 * distance(a, b);
+  }
+  double operator()(const double* point) const {
+    const double r = distance(point, centre_) / radius_;
+    return (d_ == 2 ? 1.5 : 2.0) * std::max(0.0, 1 - r * r);
+  }
+
+ private:
+  double distance(const double* a, const double* b) const {
+    double sum = 0;
+    for (int k = 0; k < d_; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+    return std::sqrt(sum);
+  }
+  int d_;
+  double centre_[3] = {0, 0, 0};
+  double radius_ = 1;
+};
+
+/// What each velocity component of each vertex obeys, while the boundaries are gone through.
+class Book {
+ public:
+  explicit Book(const Mesh& mesh) : mesh_(mesh), of_(static_cast<std::size_t>(mesh.num_vertices()) * mesh.dimension) {}
+
+  /// axis -1: all components
+  void hold(const std::vector<std::int32_t>& marks, int axis) {
+    visit(marks, axis, [](PrescribedComponent& entry, std::int32_t) {
+      entry.boundary = -1;
+      entry.factor = 1;
+    });
+  }
+  void drive(const std::vector<std::int32_t>& marks, int boundary, const std::function<double(const double*)>& factor) {
+    visit(marks, -1, [&](PrescribedComponent& entry, std::int32_t vertex) {
+      entry.boundary = boundary;
+      entry.factor = factor(mesh_.point(vertex));
+    });
+  }
+  std::vector<PrescribedComponent> list() const {
+    std::vector<PrescribedComponent> result;
+    for (std::size_t i = 0; i < of_.size(); ++i) {
+      if (!known_[i]) continue;
+      result.push_back(of_[i]);
+      result.back().vertex = static_cast<std::int32_t>(i / mesh_.dimension);
+      result.back().component = static_cast<int>(i % mesh_.dimension);
+    }
+    return result;
+  }
+
+ private:
+  template <class Change>
+  void visit(const std::vector<std::int32_t>& marks, int axis, Change change) {
+    for (std::int32_t v = 0; v < mesh_.num_vertices(); ++v) {
+      if (!marks[v]) continue;
+      for (int k = 0; k < mesh_.dimension; ++k) {
+        if (axis >= 0 && k != axis) continue;
+        const std::size_t i = static_cast<std::size_t>(v) * mesh_.dimension + k;
+        known_[i] = 1;
+        change(of_[i], v);
+      }
+    }
+  }
+  const Mesh& mesh_;
+  std::vector<PrescribedComponent> of_;
+  std::vector<char> known_ = std::vector<char>(of_.size(), 0);
+};
+
+bool holds_velocity(FlowBoundaryKind kind) { return kind == FlowBoundaryKind::wall || kind == FlowBoundaryKind::fixed; }
+
+/// The exterior facets of the fluid that are walls: named so, or not named by any boundary.
+std::vector<NamedFacet> wall_facets(const Continuum& continuum, const std::vector<FlowBoundary>& boundaries) {
+  const Mesh& mesh = *continuum.mesh;
+  std::vector<char> taken(mesh.cell_neighbours.size(), 0);
+  const auto position = [&](const NamedFacet& facet) {
+    return static_cast<std::size_t>(facet.cell) * (mesh.dimension + 1) + facet.index;
+  };
+  for (const FlowBoundary& boundary : boundaries) {
+    if (holds_velocity(boundary.kind)) continue;
+    for (const NamedFacet& facet : exterior_facets_of(mesh, boundary.group)) taken[position(facet)] = 1;
+  }
+  std::vector<NamedFacet> result = mesh::boundary_facets(mesh);
+  std::erase_if(
+      result, [&](const NamedFacet& facet) { return continuum.cell_solid[facet.cell] >= 0 || taken[position(facet)]; });
+  return result;
+}
+
+}  // namespace
+
+Conditions make_conditions(const Continuum& continuum, const FlowSettings& settings) {
+  const Mesh& mesh = *continuum.mesh;
+  const int d = mesh.dimension;
+  Conditions result;
+  result.boundaries = settings.boundaries;
+  Book velocity(mesh), motion(mesh);
+  const auto hold_mesh = [&](std::vector<NamedFacet> facets, int axis) {
+    std::erase_if(facets, [&](const NamedFacet& facet) { return continuum.cell_solid[facet.cell] >= 0; });
+    motion.hold(mesh::mark_vertices(mesh, facets), axis);
+  };
+  // Later entries override: driven boundaries, then symmetries, then walls.
+  for (std::size_t i = 0; i < settings.boundaries.size(); ++i) {
+    const FlowBoundary& boundary = settings.boundaries[i];
+    if (mesh::index_of(mesh.group_names, boundary.group) < 0) {
+      throw base::UserError("a boundary must name a group of facets of the mesh", boundary.group,
+                            base::did_you_mean(boundary.group, mesh.group_names));
+    }
+    const std::vector<NamedFacet> facets = exterior_facets_of(mesh, boundary.group);
+    const auto index = static_cast<int>(i);
+    if (boundary.kind == FlowBoundaryKind::velocity) {
+      const std::vector<std::int32_t> marks = mesh::mark_vertices(mesh, facets);
+      if (boundary.profile == VelocityProfile::parabolic) {
+        velocity.drive(marks, index, Profile(mesh, facets));
+      } else {
+        velocity.drive(marks, index, [](const double*) { return 1.0; });
+      }
+    } else if (boundary.kind == FlowBoundaryKind::pressure || boundary.kind == FlowBoundaryKind::outlet) {
+      for (const NamedFacet& facet : facets) result.tractions.push_back({facet.cell, facet.index, index});
+      result.sets_pressure_level = true;
+    }
+    if (boundary.kind != FlowBoundaryKind::symmetry) hold_mesh(facets, -1);
+  }
+  for (const FlowBoundary& boundary : settings.boundaries) {
+    if (boundary.kind != FlowBoundaryKind::symmetry) continue;
+    const std::vector<NamedFacet> facets = exterior_facets_of(mesh, boundary.group);
+    std::int32_t oblique = 0;
+    for (const NamedFacet& facet : facets) oblique += axis_of(mesh, facet) < 0;
+    if (base::largest(mesh.comm, oblique) > 0) {
+      throw base::UserError("a symmetry must be straight and parallel to the axes", boundary.group,
+                            "turn the geometry, or choose another kind of boundary");
+    }
+    for (int axis = 0; axis < d; ++axis) {
+      std::vector<NamedFacet> normal_to_axis = facets;
+      std::erase_if(normal_to_axis, [&](const NamedFacet& facet) { return axis_of(mesh, facet) != axis; });
+      velocity.hold(mesh::mark_vertices(mesh, normal_to_axis), axis);
+      hold_mesh(normal_to_axis, axis);
+    }
+  }
+  for (const FlowBoundary& boundary : settings.boundaries) {
+    if (holds_velocity(boundary.kind)) {
+      velocity.hold(mesh::mark_vertices(mesh, exterior_facets_of(mesh, boundary.group)), -1);
+    }
+  }
+  const std::vector<NamedFacet> walls = wall_facets(continuum, settings.boundaries);
+  velocity.hold(mesh::mark_vertices(mesh, walls), -1);
+  hold_mesh(walls, -1);
+  result.components = velocity.list();
+  result.mesh_is_held.assign(static_cast<std::size_t>(mesh.num_vertices()) * d, 0);
+  for (const PrescribedComponent& held : motion.list()) {
+    result.mesh_is_held[static_cast<std::size_t>(held.vertex) * d + held.component] = 1;
+  }
+  return result;
+}
+
+double ramp(const FlowBoundary& boundary, double time) {
+  if (time >= boundary.ramp) return 1;
+  return 0.5 * (1 - std::cos(std::numbers::pi * std::max(time, 0.0) / boundary.ramp));
+}
+
+void impose(const Conditions& conditions, const Continuum& continuum, const Prescribed& prescribed,
+            const std::vector<double>& coordinates, double time, fem::Field& velocity) {
+  const int d = continuum.mesh->dimension;
+  for (const PrescribedComponent& entry : conditions.components) {
+    double value = 0;
+    if (entry.boundary >= 0) {
+      const FlowBoundary& boundary = conditions.boundaries[entry.boundary];
+      if (prescribed.velocity) {
+        std::array<double, 3> point = {0, 0, 0};
+        const bool in_solid = continuum.vertex_solid[entry.vertex] >= 0;
+        const double* from = in_solid ? continuum.mesh->point(entry.vertex)
+                                      : coordinates.data() + static_cast<std::size_t>(entry.vertex) * d;
+        std::copy_n(from, d, point.begin());
+        value = prescribed.velocity(point, time)[entry.component];
+      } else {
+        value = boundary.velocity[entry.component] * entry.factor * ramp(boundary, time);
+      }
+    }
+    velocity.at(entry.vertex)[entry.component] = value;
+  }
+}
+
+}  // namespace vocalis::fsi

@@ -1,0 +1,96 @@
+#include "fsi_solver/continuum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/case_table.hpp"
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
+#include "core/mesh/facets.hpp"
+
+namespace vocalis::fsi {
+
+Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings) {
+  Continuum result;
+  result.mesh = &mesh;
+  result.solids = settings.solids;
+  std::vector<std::int32_t> solid_of_region(mesh.region_names.size(), Continuum::fluid);
+  for (std::size_t i = 0; i < settings.solids.size(); ++i) {
+    const SolidMaterial& solid = settings.solids[i];
+    const int region = mesh::index_of(mesh.region_names, solid.region);
+    if (region < 0) {
+      throw base::UserError("a solid must name a region of the mesh", solid.region,
+                            base::did_you_mean(solid.region, mesh.region_names));
+    }
+    if (solid_of_region[region] >= 0) {
+      throw base::UserError("a region has one material", solid.region + " twice", "remove one of them");
+    }
+    solid_of_region[region] = static_cast<std::int32_t>(i);
+    result.elasticity.push_back(elasticity(solid));
+  }
+  const std::int32_t cells = mesh.num_cells();
+  result.cell_solid.resize(cells);
+  std::vector<std::int32_t> label(cells), in_fluid(cells);
+  for (std::int32_t cell = 0; cell < cells; ++cell) {
+    const std::int32_t solid = solid_of_region[mesh.cell_region[cell]];
+    result.cell_solid[cell] = solid;
+    in_fluid[cell] = solid < 0;
+    label[cell] = result.has_pressure(cell) ? solid + 1 : -1;
+  }
+  result.vertex_in_fluid = mesh::mark_vertices_of_cells(mesh, in_fluid);
+  result.vertex_solid.assign(mesh.num_vertices(), Continuum::fluid);
+  for (std::size_t i = 0; i < settings.solids.size(); ++i) {
+    std::vector<std::int32_t> inside(cells);
+    for (std::int32_t cell = 0; cell < cells; ++cell) inside[cell] = result.cell_solid[cell] == static_cast<int>(i);
+    const std::vector<std::int32_t> marks = mesh::mark_vertices_of_cells(mesh, inside);
+    for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+      if (marks[v]) result.vertex_solid[v] = static_cast<std::int32_t>(i);
+    }
+  }
+  const auto here = [&](bool fluid) {
+    return static_cast<std::int32_t>(std::count(in_fluid.begin(), in_fluid.end(), fluid ? 1 : 0));
+  };
+  result.has_fluid = base::largest(mesh.comm, here(true)) > 0;
+  result.has_solid = base::largest(mesh.comm, here(false)) > 0;
+  result.velocity_space = fem::lagrange(mesh, 1);
+  result.pressure_space = fem::lagrange(mesh, 1, label);
+  return result;
+}
+
+namespace {
+
+/// As mesh::quality, at other coordinates.
+double quality_at(const mesh::Mesh& mesh, std::int32_t cell, const std::vector<double>& coordinates) {
+  const int d = mesh.dimension;
+  const auto vertices = mesh.vertices_of(cell);
+  double e[4][3] = {}, squares = 0;
+  for (int i = 0; i <= d; ++i) {
+    for (int j = 0; j < i; ++j) {
+      for (int k = 0; k < d; ++k) {
+        const double edge = coordinates[static_cast<std::size_t>(vertices[i]) * d + k] -
+                            coordinates[static_cast<std::size_t>(vertices[j]) * d + k];
+        squares += edge * edge;
+        if (j == 0) e[i][k] = edge;
+      }
+    }
+  }
+  const double volume =
+      d == 2 ? 0.5 * (e[1][0] * e[2][1] - e[1][1] * e[2][0])
+             : (e[1][0] * (e[2][1] * e[3][2] - e[2][2] * e[3][1]) - e[1][1] * (e[2][0] * e[3][2] - e[2][2] * e[3][0]) +
+                e[1][2] * (e[2][0] * e[3][1] - e[2][1] * e[3][0])) /
+                   6;
+  const double ratio = volume / (d == 2 ? std::sqrt(3.0) / 4 : std::sqrt(2.0) / 12);
+  return std::copysign((d == 2 ? 3 : 6) * std::pow(std::abs(ratio), 2.0 / d) / squares, ratio);
+}
+
+}  // namespace
+
+double smallest_fluid_quality(const Continuum& continuum, const std::vector<double>& coordinates) {
+  double lowest = 1;
+  for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
+    if (continuum.cell_solid[cell] < 0) lowest = std::min(lowest, quality_at(*continuum.mesh, cell, coordinates));
+  }
+  return base::smallest(continuum.mesh->comm, lowest);
+}
+
+}  // namespace vocalis::fsi

@@ -1,0 +1,143 @@
+#include "fsi_solver/fsi_solver.hpp"
+
+#include <cassert>
+#include <utility>
+
+#include "core/mesh/facets.hpp"
+#include "fsi_solver/newton.hpp"
+
+namespace vocalis::fsi {
+
+struct FsiSolver::Inside {
+  Inside(const mesh::Mesh& mesh, const FlowSettings& flow, const TimeSettings& times, Prescribed functions)
+      : settings(flow),
+        time_settings(times),
+        prescribed(std::move(functions)),
+        continuum(make_continuum(mesh, settings)),
+        conditions(make_conditions(continuum, settings)) {
+    if (continuum.has_fluid && continuum.has_solid && !prescribed.mesh_displacement) {
+      motion = std::make_unique<MeshMotion>(continuum, conditions, settings.mesh_stiffening);
+    }
+    assembly = std::make_unique<Assembly>(continuum, settings, conditions, prescribed, motion.get());
+    newton = std::make_unique<Newton>(*assembly, settings.newton_tolerance, settings.newton_iterations, timers);
+    state.velocity = state.velocity_before = state.displacement = state.displacement_before =
+        fem::Field(continuum.velocity_space, mesh.dimension);
+    state.pressure = fem::Field(continuum.pressure_space, 1);
+  }
+
+  FlowSettings settings;
+  TimeSettings time_settings;
+  Prescribed prescribed;
+  Continuum continuum;
+  Conditions conditions;
+  base::Timers timers;
+  std::unique_ptr<MeshMotion> motion;
+  std::unique_ptr<Assembly> assembly;
+  std::unique_ptr<Newton> newton;
+  State state;
+  double tried_dt = 0;  ///< [s] of a step that may be accepted
+};
+
+namespace {
+
+std::vector<double> moved_coordinates(const Continuum& continuum, const fem::Field& displacement) {
+  std::vector<double> result = continuum.mesh->coordinates;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] += displacement.values[i];
+  return result;
+}
+
+}  // namespace
+
+FsiSolver::FsiSolver(const mesh::Mesh& mesh, const FlowSettings& flow, const TimeSettings& time, Prescribed prescribed)
+    : inside_(std::make_unique<Inside>(mesh, flow, time, std::move(prescribed))) {}
+
+FsiSolver::~FsiSolver() = default;
+
+StepReport FsiSolver::try_step(double dt) {
+  assert(dt > 0);
+  Inside& in = *inside_;
+  const auto scope = in.timers.scope("flow.newton");
+  const Stage stage = make_stage(in.time_settings, dt, in.state.last_dt);
+  in.tried_dt = 0;
+  in.assembly->begin_step(in.state, stage);
+  const NewtonReport newton = in.newton->solve(stage);
+  StepReport report;
+  report.converged = newton.converged;
+  report.newton_iterations = report.linear_iterations = newton.iterations;
+  report.jacobians = newton.jacobians;
+  report.residual = newton.residual;
+  report.inverted = newton.inverted;
+  report.reason = newton.reason;
+  if (report.converged && in.continuum.has_solid) {
+    report.smallest_quality =
+        smallest_fluid_quality(in.continuum, moved_coordinates(in.continuum, in.assembly->end_displacement()));
+    if (!(report.smallest_quality > 0)) {
+      report.converged = false;
+      report.inverted = true;
+      report.reason = "a cell would be inverted";
+    }
+  }
+  if (report.converged) in.tried_dt = dt;
+  return report;
+}
+
+void FsiSolver::accept() {
+  Inside& in = *inside_;
+  assert(in.tried_dt > 0);
+  in.state.velocity_before = std::exchange(in.state.velocity, in.assembly->end_velocity());
+  in.state.displacement_before = std::exchange(in.state.displacement, in.assembly->end_displacement());
+  in.state.pressure = in.assembly->pressure();
+  in.state.time += in.tried_dt;
+  in.state.last_dt = std::exchange(in.tried_dt, 0);
+}
+
+const State& FsiSolver::state() const { return inside_->state; }
+
+void FsiSolver::set_state(const State& state) {
+  inside_->state = state;
+  // The given fields may stand on the spaces of another solver on the same mesh.
+  for (fem::Field* field : {&inside_->state.velocity, &inside_->state.velocity_before, &inside_->state.displacement,
+                            &inside_->state.displacement_before}) {
+    field->space = &inside_->continuum.velocity_space;
+  }
+  inside_->state.pressure.space = &inside_->continuum.pressure_space;
+  inside_->tried_dt = 0;
+  drop_caches();
+}
+
+void FsiSolver::drop_caches() { inside_->newton->drop_jacobian(); }
+
+const Continuum& FsiSolver::continuum() const { return inside_->continuum; }
+const fem::Space& FsiSolver::velocity_space() const { return inside_->continuum.velocity_space; }
+const fem::Space& FsiSolver::pressure_space() const { return inside_->continuum.pressure_space; }
+const base::Timers& FsiSolver::timers() const { return inside_->timers; }
+
+std::vector<double> FsiSolver::current_coordinates() const {
+  return moved_coordinates(inside_->continuum, inside_->state.displacement);
+}
+
+fem::Field FsiSolver::mesh_velocity() const {
+  const State& now = inside_->state;
+  fem::Field result(inside_->continuum.velocity_space, now.displacement.components);
+  if (now.last_dt <= 0) return result;
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    result.values[i] = (now.displacement.values[i] - now.displacement_before.values[i]) / now.last_dt;
+  }
+  return result;
+}
+
+fem::Field FsiSolver::fluid_pressure() const {
+  const fem::Space& pressures = inside_->continuum.pressure_space;
+  // The owner of a pressure need not own its vertex: each gives its value once, the vertex's owner collects it.
+  fem::Load given(inside_->continuum.velocity_space, 1);
+  for (std::int32_t dof = 0; dof < pressures.dofs.num_owned; ++dof) {
+    if (pressures.dof_label[dof] == 0) given.values[pressures.dof_vertex[dof]] = inside_->state.pressure.values[dof];
+  }
+  given.add_to_owners();
+  fem::Field result(inside_->continuum.velocity_space, 1);
+  result.values = given.values;
+  result.copy_to_ghosts();
+  return result;
+}
+
+}  // namespace vocalis::fsi

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/timers.hpp"
+#include "fsi_solver/settings.hpp"
+#include "fsi_solver/state.hpp"
+
+namespace vocalis::fsi {
+
+struct Continuum;
+
+/// How a step ended. Nothing is printed here: the caller decides.
+struct StepReport {
+  bool converged = false;
+  int newton_iterations = 0;
+  int linear_iterations = 0;    ///< direct solves, one a Newton iteration
+  int jacobians = 0;            ///< factorised in this step
+  double residual = 0;          ///< largest over fields and regions, relative to the size of their terms
+  std::string reason;           ///< empty when converged
+  double smallest_quality = 1;  ///< of the moved fluid mesh at the end of the step, see mesh::quality
+  bool inverted = false;        ///< a cell would have turned over
+};
+
+/// The unified continuum: incompressible flow on a moving mesh and elastic solids in it, solved together for one
+/// velocity and one pressure. Equations in docs/theory.md. What the mesh does not have costs nothing: without solids
+/// the mesh stands still, without fluid there is no pressure but that of incompressible solids.
+class FsiSolver {
+ public:
+  /// mesh  the flow mesh, which is the reference configuration; a region that no solid names is fluid. Must outlive
+  /// this. Starts from rest at time 0. Collective. Throws UserError for settings that do not fit the mesh.
+  FsiSolver(const mesh::Mesh& mesh, const FlowSettings& flow, const TimeSettings& time, Prescribed prescribed = {});
+  ~FsiSolver();
+  FsiSolver(const FsiSolver&) = delete;
+  FsiSolver& operator=(const FsiSolver&) = delete;
+
+  /// Computes t + dt and leaves the accepted state alone. A step that does not converge, or turns a cell over, can only
+  /// be tried again, with a smaller dt. Collective.
+  StepReport try_step(double dt);
+  /// Makes the last step, which must have converged, the accepted state.
+  void accept();
+
+  const State& state() const;
+  double time() const { return state().time; }
+  /// Replaces the state, for a resumed run or initial conditions. Ghosts must be current.
+  void set_state(const State& state);
+  /// Forgets everything that is kept for speed, so that the next step depends on the state alone.
+  void drop_caches();
+
+  const Continuum& continuum() const;
+  const fem::Space& velocity_space() const;
+  /// P1, one label in the fluid (0) and one in each incompressible solid i (1 + i).
+  const fem::Space& pressure_space() const;
+
+  /// Where the vertices are, (vertices, dimension) [m]; ghosts current.
+  std::vector<double> current_coordinates() const;
+  /// Velocity of the mesh (of the material in solids) over the last step, (d - d₋) / dt [m/s], which is that at
+  /// mid-step.
+  fem::Field mesh_velocity() const;
+  /// The fluid's pressure [Pa] at the vertices; 0 where there is no fluid. Collective.
+  fem::Field fluid_pressure() const;
+
+  /// Wall seconds of "flow.assemble" (with mesh motion), "flow.newton" (all of the step).
+  const base::Timers& timers() const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+/// ∫ v·n over a named group of facets on the current geometry [m^2/s, m^3/s]: outward on the exterior boundary; on a
+/// group inside the mesh, towards larger x (then y, z). Collective.
+double flux(const FsiSolver& solver, const std::string& group);
+
+/// Smallest quality of the moved fluid mesh. Collective.
+double smallest_quality(const FsiSolver& solver);
+
+}  // namespace vocalis::fsi

@@ -1,0 +1,115 @@
+#include "fsi_solver/newton.hpp"
+
+#include <cmath>
+
+#include "fsi_solver/direct_solver.hpp"
+
+namespace vocalis::fsi {
+
+namespace {
+
+/// A kept Jacobian is renewed when an iteration reduces the error by less than this.
+constexpr double slow = 0.15;
+/// Beyond this growth of the error the step is given up.
+constexpr double hopeless = 1e6;
+
+}  // namespace
+
+Newton::Newton(Assembly& assembly, double tolerance, int largest_iterations, base::Timers& timers)
+    : assembly_(assembly), timers_(timers), tolerance_(tolerance) {
+  const la::SystemLayout& layout = assembly.layout();
+  unknowns_ = la::create_vector(layout.comm(), layout.num_owned());
+  result_ = la::create_vector(layout.comm(), layout.num_owned());
+  base::check(SNESCreate(layout.comm(), solver_.put()));
+  SNES snes = solver_.get();
+  base::check(SNESSetOptionsPrefix(snes, "flow_"));
+  base::check(SNESSetType(snes, SNESNEWTONLS));
+  SNESLineSearch search = nullptr;
+  base::check(SNESGetLineSearch(snes, &search));
+  base::check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
+  base::check(SNESSetFunction(snes, result_.get(), residual, this));
+  base::check(SNESSetJacobian(snes, assembly.matrix(), assembly.matrix(), jacobian, this));
+  base::check(SNESSetConvergenceTest(snes, test, this, nullptr));
+  base::check(SNESSetTolerances(snes, 0, 0, 0, largest_iterations, 100000));
+  base::check(SNESSetCheckJacobianDomainError(snes, PETSC_FALSE));
+  KSP linear = nullptr;
+  base::check(SNESGetKSP(snes, &linear));
+  make_gathered_solver(linear, "flow_");
+  base::check(SNESSetFromOptions(snes));
+}
+
+PetscErrorCode Newton::residual(SNES snes, Vec unknowns, Vec result, void* context) {
+  Newton& self = *static_cast<Newton*>(context);
+  try {
+    const auto scope = self.timers_.scope("flow.assemble");
+    self.size_ = self.assembly_.residual(unknowns, result);
+    if (self.size_.inverted || !std::isfinite(self.size_.error)) {
+      base::check(SNESSetFunctionDomainError(snes));
+    }
+    return 0;
+  } catch (...) {
+    self.failure_ = std::current_exception();
+    return PETSC_ERR_USER;
+  }
+}
+
+PetscErrorCode Newton::jacobian(SNES snes, Vec, Mat, Mat, void* context) {
+  Newton& self = *static_cast<Newton*>(context);
+  try {
+    KSP linear = nullptr;
+    base::check(SNESGetKSP(snes, &linear));
+    const std::size_t n = self.errors_.size();
+    const bool falls_slowly = n >= 2 && self.errors_[n - 1] > slow * self.errors_[n - 2];
+    if (self.has_jacobian_ && !falls_slowly) return 0;
+    const auto scope = self.timers_.scope("flow.assemble");
+    self.assembly_.jacobian();
+    self.has_jacobian_ = true;
+    ++self.jacobians_;
+    return 0;
+  } catch (...) {
+    self.failure_ = std::current_exception();
+    return PETSC_ERR_USER;
+  }
+}
+
+PetscErrorCode Newton::test(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason,
+                            void* context) {
+  Newton& self = *static_cast<Newton*>(context);
+  self.errors_.push_back(self.size_.error);
+  *reason = SNES_CONVERGED_ITERATING;
+  if (self.size_.inverted || !std::isfinite(self.size_.error)) {
+    *reason = SNES_DIVERGED_FUNCTION_DOMAIN;
+  } else if (self.size_.error <= self.tolerance_) {
+    *reason = SNES_CONVERGED_FNORM_RELATIVE;
+  } else if (self.size_.error > hopeless * self.errors_.front()) {
+    *reason = SNES_DIVERGED_DTOL;
+  }
+  return 0;
+}
+
+NewtonReport Newton::solve(const Stage& stage) {
+  if (std::abs(stage.rate - jacobian_stage_.rate) > 1e-3 * stage.rate) has_jacobian_ = false;
+  jacobian_stage_ = stage;
+  jacobians_ = 0;
+  errors_.clear();
+  failure_ = nullptr;
+  assembly_.first_guess(unknowns_.get());
+  const PetscErrorCode code = SNESSolve(solver_.get(), nullptr, unknowns_.get());
+  if (failure_) std::rethrow_exception(failure_);
+  base::check(code);
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  base::check(SNESGetConvergedReason(solver_.get(), &reason));
+  NewtonReport report;
+  report.converged = reason > 0;
+  report.iterations = static_cast<int>(errors_.size()) - 1;
+  report.jacobians = jacobians_;
+  report.residual = size_.error;
+  report.inverted = size_.inverted;
+  if (!report.converged) {
+    report.reason = report.inverted ? "a cell would be inverted" : SNESConvergedReasons[reason];
+    has_jacobian_ = false;
+  }
+  return report;
+}
+
+}  // namespace vocalis::fsi

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "core/fem/field.hpp"
+
+namespace vocalis::fsi {
+
+/// All that a step begins from; a checkpoint is this and nothing else. Ghosts current. All fields stand on the vertices
+/// of the flow mesh, the pressure on `FsiSolver::pressure_space`.
+struct State {
+  fem::Field velocity;         ///< [m/s] at `time`
+  fem::Field velocity_before;  ///< one step earlier
+  fem::Field displacement;     ///< d [m]: of the material in solids, of the mesh in the fluid
+  fem::Field displacement_before;
+  fem::Field pressure;  ///< [Pa] at `time` with BDF2, at the stage t - (1 - θ) dt with θ
+  double time = 0;      ///< [s]
+  double last_dt = 0;   ///< [s]; 0: no step yet
+};
+
+/// Prescribed functions of a point [m] and a time [s], for verification; each may be empty. Only the first `dimension`
+/// components count. Points of the fluid are where it is now, those of solids in the reference.
+struct Prescribed {
+  using Function = std::function<std::array<double, 3>(const std::array<double, 3>& point, double time)>;
+  Function mesh_displacement;  ///< [m] of every fluid vertex not on a solid, instead of the smoother; of its reference
+  Function velocity;           ///< [m/s] on boundaries of kind `velocity`, instead of their value
+  Function fluid_force;        ///< [N/m^3]
+  Function solid_force;        ///< [N/m^3] of reference volume
+};
+
+}  // namespace vocalis::fsi
