@@ -15,23 +15,6 @@ namespace {
 
 static_assert(sizeof(idx_t) == sizeof(std::int32_t), "METIS is built with 32-bit indices");
 
-/// The names, joined by zeros: one broadcast carries them all.
-std::vector<std::string> broadcast_names(MPI_Comm comm, const std::vector<std::string>& names) {
-  std::vector<char> text;
-  for (const std::string& name : names) {
-    text.insert(text.end(), name.begin(), name.end());
-    text.push_back('\0');
-  }
-  base::broadcast(comm, text);
-  std::vector<std::string> result;
-  for (auto start = text.begin(); start != text.end();) {
-    const auto end = std::find(start, text.end(), '\0');
-    result.emplace_back(start, end);
-    start = end + 1;
-  }
-  return result;
-}
-
 /// What rank 0 sends to one rank, as two flat lists.
 struct Parcel {
   std::unordered_map<std::int64_t, std::int64_t> whole_to_part;
@@ -74,6 +57,22 @@ std::vector<T> deal(MPI_Comm comm, std::vector<std::vector<T>> lists) {
 std::vector<std::int32_t> narrow(const std::vector<std::int64_t>& values) { return {values.begin(), values.end()}; }
 
 }  // namespace
+
+std::vector<std::string> broadcast_names(MPI_Comm comm, const std::vector<std::string>& names) {
+  std::vector<char> text;  // the names, each ended by a zero: one broadcast carries them all
+  for (const std::string& name : names) {
+    text.insert(text.end(), name.begin(), name.end());
+    text.push_back('\0');
+  }
+  base::broadcast(comm, text);
+  std::vector<std::string> result;
+  for (auto start = text.begin(); start != text.end();) {
+    const auto end = std::find(start, text.end(), '\0');
+    result.emplace_back(start, end);
+    start = end + 1;
+  }
+  return result;
+}
 
 std::vector<std::int32_t> partition_cells(const WholeMesh& mesh, int ranks, const std::vector<std::int32_t>& work,
                                           int constraints) {

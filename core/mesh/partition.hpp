@@ -21,6 +21,9 @@ struct WholeMesh {
   std::int64_t num_cells() const { return static_cast<std::int64_t>(cell_region.size()); }
 };
 
+/// Names that rank 0 has, on every rank. Collective.
+std::vector<std::string> broadcast_names(MPI_Comm comm, const std::vector<std::string>& names);
+
 /// A rank for each cell, by METIS, so that every kind of work is balanced by itself.
 ///
 /// work   (cells, constraints): how much of each kind of work a cell is, in small whole numbers
