@@ -79,9 +79,9 @@ void read_expected(base::Table& root, Case& config) {
 
 /// Rules over several sections.
 void check_together(const base::Table& root, const Case& config) {
-  const auto is_fluid = [](const RegionSettings& region) { return region.kind == RegionKind::fluid; };
+  const auto is_fluid = [](const Region& region) { return region.kind == RegionKind::fluid; };
   const bool has_fluid = std::any_of(config.regions.begin(), config.regions.end(), is_fluid);
-  const auto is_solid = [](const RegionSettings& region) { return region.kind == RegionKind::solid; };
+  const auto is_solid = [](const Region& region) { return region.kind == RegionKind::solid; };
   const bool all_solid = std::all_of(config.regions.begin(), config.regions.end(), is_solid);
   if (config.flow && !has_fluid) {
     throw UserError(root.place("flow") + " needs a region of fluid", "no [[region]] of kind \"fluid\"",

@@ -18,7 +18,7 @@ namespace vocalis::coupling {
 enum class RegionKind { fluid, solid, air };
 
 /// Cells of one named group of the mesh.
-struct RegionSettings {
+struct Region {
   std::string name;
   RegionKind kind = RegionKind::fluid;
 };
@@ -63,7 +63,7 @@ struct Case {
   std::string name;
   std::string description;
   MeshSettings mesh;
-  std::vector<RegionSettings> regions;
+  std::vector<Region> regions;
   std::optional<fsi::FlowSettings> flow;
   fsi::TimeSettings time;  ///< without a flow only `end` and `step` have a meaning
   std::vector<acoustic::AcousticSettings> acoustics;

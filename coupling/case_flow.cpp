@@ -72,7 +72,7 @@ void read_regions(base::Table& root, Case& config) {
   if (has_flow) config.flow.emplace();
   std::vector<std::string> names;
   for (base::Table& table : root.tables("region")) {
-    RegionSettings region;
+    Region region;
     region.name = table.text("name");
     region.kind = table.choice<RegionKind>(
         "kind", {{"fluid", RegionKind::fluid}, {"solid", RegionKind::solid}, {"air", RegionKind::air}});
