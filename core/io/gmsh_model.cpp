@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <vector>
 
 #include "core/base/error.hpp"
 
@@ -13,149 +15,158 @@ namespace vocalis::io {
 
 namespace {
 
-using base::UserError;
-
-constexpr int triangle = 2, tetrahedron = 4, line = 1;
-
-/// Elements of one dimension in one physical group.
-struct Group {
-  std::string name;
-  std::vector<std::size_t> nodes;   ///< (elements, dimension + 1) Gmsh's node tags
+/// Elements of one dimension that belong to named groups.
+struct Elements {
+  std::vector<std::size_t> nodes;   ///< (elements, dimension + 1) tags of Gmsh
+  std::vector<std::int32_t> group;  ///< of each element
+  std::vector<std::string> names;   ///< of the groups
 };
 
-int type_of_simplex(int dimension) { return dimension == 1 ? line : dimension == 2 ? triangle : tetrahedron; }
-
-std::size_t num_elements(int dimension) {
+int highest_dimension(const std::string& path) {
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> tags, nodes;
-  gmsh::model::mesh::getElements(types, tags, nodes, dimension);
-  std::size_t count = 0;
-  for (const auto& list : tags) count += list.size();
-  return count;
-}
-
-std::vector<Group> groups_of_dimension(int dimension, const std::string& path) {
-  gmsh::vectorpair pairs;
-  gmsh::model::getPhysicalGroups(pairs, dimension);
-  std::vector<Group> groups;
-  for (const auto& [dim, tag] : pairs) {
-    Group group;
-    gmsh::model::getPhysicalName(dim, tag, group.name);
-    if (group.name.empty()) group.name = std::to_string(tag);
-    std::vector<int> entities;
-    gmsh::model::getEntitiesForPhysicalGroup(dim, tag, entities);
-    for (const int entity : entities) {
-      std::vector<int> types;
-      std::vector<std::vector<std::size_t>> tags, nodes;
-      gmsh::model::mesh::getElements(types, tags, nodes, dim, entity);
-      for (std::size_t i = 0; i < types.size(); ++i) {
-        if (types[i] != type_of_simplex(dim)) {
-          throw UserError("the mesh " + path + " must consist of triangles or tetrahedra with straight edges",
-                          fmt::format("Gmsh element type {} in the group \"{}\"", types[i], group.name),
-                          "mesh it again with Mesh.ElementOrder = 1 and without recombination");
-        }
-        group.nodes.insert(group.nodes.end(), nodes[i].begin(), nodes[i].end());
-      }
-    }
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
-/// Coordinates of all nodes by their tags.
-std::unordered_map<std::size_t, std::array<double, 3>> all_nodes() {
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters, -1, -1, false, false);
-  std::unordered_map<std::size_t, std::array<double, 3>> result;
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    result[tags[i]] = {coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]};
-  }
-  return result;
-}
-
-int dimension_of_model(const std::string& path) {
   for (const int dimension : {3, 2}) {
-    if (num_elements(dimension) > 0) return dimension;
+    gmsh::model::mesh::getElements(types, tags, nodes, dimension);
+    if (!types.empty()) return dimension;
   }
-  throw UserError("the mesh " + path + " must have triangles or tetrahedra", "none",
-                  "define surfaces (2-D) or volumes (3-D) in the geometry");
+  throw base::UserError(path + ": a mesh needs triangles or tetrahedra", "no cells",
+                        "give the geometry surfaces or volumes");
 }
 
-/// Adds the cells of all groups; vertices are numbered as the cells first use them.
-void add_cells(const std::vector<Group>& groups, const std::string& path, mesh::WholeMesh& mesh,
-               std::unordered_map<std::size_t, std::int64_t>& vertex_of_node) {
-  const auto nodes = all_nodes();
-  for (const Group& group : groups) {
-    if (group.nodes.empty()) continue;
-    for (const std::size_t node : group.nodes) {
-      const auto [entry, is_new] = vertex_of_node.try_emplace(node, static_cast<std::int64_t>(vertex_of_node.size()));
-      mesh.cell_vertices.push_back(entry->second);
-      if (!is_new) continue;
-      const auto found = nodes.find(node);
-      if (found == nodes.end()) {
-        throw UserError("every cell of the mesh " + path + " needs its nodes", fmt::format("node {} is missing", node),
-                        "write the mesh again");
-      }
-      for (int k = 0; k < mesh.dimension; ++k) {
-        if (!std::isfinite(found->second[k])) {
-          throw UserError("coordinates of the mesh " + path + " must be finite numbers",
-                          fmt::format("{} at node {}", found->second[k], node), "write the mesh again");
-        }
-        mesh.coordinates.push_back(found->second[k]);
-      }
-      if (mesh.dimension == 2 && found->second[2] != 0) {
-        throw UserError("a two-dimensional mesh must lie in the plane z = 0: " + path,
-                        fmt::format("z = {} at node {}", found->second[2], node), "move it there, or mesh volumes");
-      }
+/// Adds an entity's elements to a group.
+void add_entity(const std::string& path, int dimension, int entity, std::int32_t group, Elements& elements) {
+  constexpr std::array<int, 4> simplex_type = {15, 1, 2, 4};
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> tags, nodes;
+  gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
+  for (std::size_t t = 0; t < types.size(); ++t) {
+    if (types[t] != simplex_type[dimension]) {
+      std::string name;
+      int its_dimension = 0, order = 0, num_nodes = 0, num_corners = 0;
+      std::vector<double> points;
+      gmsh::model::mesh::getElementProperties(types[t], name, its_dimension, order, num_nodes, points, num_corners);
+      throw base::UserError(path + ": cells must be linear triangles or tetrahedra", name,
+                            order > 1 ? "set Mesh.ElementOrder = 1" : "do not recombine (Recombine Surface, Layers)");
     }
-    const auto region = static_cast<std::int32_t>(mesh.region_names.size());
-    mesh.region_names.push_back(group.name);
-    mesh.cell_region.resize(mesh.cell_vertices.size() / (mesh.dimension + 1), region);
+    elements.nodes.insert(elements.nodes.end(), nodes[t].begin(), nodes[t].end());
+    elements.group.insert(elements.group.end(), tags[t].size(), group);
   }
 }
 
-void add_facets(const std::vector<Group>& groups, const std::unordered_map<std::size_t, std::int64_t>& vertex_of_node,
-                mesh::WholeMesh& mesh) {
-  for (const Group& group : groups) {
-    const auto index = static_cast<std::int32_t>(mesh.group_names.size());
-    mesh.group_names.push_back(group.name);
-    for (std::size_t first = 0; first < group.nodes.size(); first += mesh.dimension) {
-      bool is_used = true;
-      for (int i = 0; i < mesh.dimension; ++i) is_used = is_used && vertex_of_node.contains(group.nodes[first + i]);
-      if (!is_used) continue;
-      for (int i = 0; i < mesh.dimension; ++i) mesh.facet_vertices.push_back(vertex_of_node.at(group.nodes[first + i]));
-      mesh.facet_group.push_back(index);
+/// All elements of the groups of one dimension. An entity of several groups is listed once in each.
+Elements grouped_elements(const std::string& path, int dimension) {
+  Elements elements;
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups, dimension);
+  std::sort(groups.begin(), groups.end());
+  for (const auto& [its_dimension, tag] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(its_dimension, tag, name);
+    if (name.empty()) {
+      throw base::UserError(path + ": physical groups need names",
+                            fmt::format("group {} of dimension {} has none", tag, dimension),
+                            "write Physical Surface(\"name\") = {...}");
     }
+    auto group = mesh::index_of(elements.names, name);
+    if (group < 0) {
+      group = static_cast<int>(elements.names.size());
+      elements.names.push_back(name);
+    }
+    std::vector<int> entities;
+    gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
+    std::sort(entities.begin(), entities.end());
+    for (const int entity : entities) add_entity(path, dimension, entity, group, elements);
+  }
+  return elements;
+}
+
+/// Every entity with cells must be in exactly one region.
+void check_regions(const std::string& path, int dimension) {
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, dimension);
+  for (const auto& [its_dimension, entity] : entities) {
+    std::vector<int> types, groups;
+    std::vector<std::vector<std::size_t>> tags, nodes;
+    gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
+    if (types.empty()) continue;
+    gmsh::model::getPhysicalGroupsForEntity(dimension, entity, groups);
+    if (groups.size() == 1) continue;
+    const std::string kind = dimension == 2 ? "surface" : "volume";
+    throw base::UserError(path + ": every cell must belong to one region, which is a named physical " + kind,
+                          fmt::format("the {} cells of {} {} belong to {}", tags[0].size(), kind, entity,
+                                      groups.empty() ? "none" : fmt::format("{} regions", groups.size())),
+                          fmt::format("add it to one Physical {}(\"name\")", dimension == 2 ? "Surface" : "Volume"));
   }
 }
 
-double volume(const mesh::WholeMesh& mesh, std::int64_t cell, double& longest) {
+/// Numbers the vertices of the cells in the order of Gmsh's tags, and takes their coordinates.
+std::unordered_map<std::size_t, std::int64_t> number_vertices(const std::string& path, const Elements& cells,
+                                                              mesh::WholeMesh& mesh) {
+  std::vector<std::size_t> used = cells.nodes;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::unordered_map<std::size_t, std::int64_t> number;
+  for (const std::size_t tag : used) number.emplace(tag, static_cast<std::int64_t>(number.size()));
+
+  std::vector<std::size_t> tags;
+  std::vector<double> points, parameters;
+  gmsh::model::mesh::getNodes(tags, points, parameters);
+  const int d = mesh.dimension;
+  mesh.coordinates.assign(used.size() * d, std::nan(""));
+  double highest_z = 0, size = 0;
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    const auto found = number.find(tags[i]);
+    if (found == number.end()) continue;
+    std::copy_n(points.begin() + 3 * i, d, mesh.coordinates.begin() + found->second * d);
+    highest_z = std::max(highest_z, std::abs(points[3 * i + 2]));
+    size = std::max({size, std::abs(points[3 * i]), std::abs(points[3 * i + 1])});
+  }
+  const auto bad =
+      std::find_if(mesh.coordinates.begin(), mesh.coordinates.end(), [](double x) { return !std::isfinite(x); });
+  if (bad != mesh.coordinates.end()) {
+    throw base::UserError(path + ": coordinates must be finite numbers",
+                          fmt::format("{} at node {}", *bad, used[(bad - mesh.coordinates.begin()) / d]),
+                          "correct the mesh file, or the geometry's formulas");
+  }
+  if (d == 2 && !(highest_z <= 1e-9 * size)) {
+    throw base::UserError(path + ": a two-dimensional mesh must lie in the plane z = 0",
+                          fmt::format("|z| up to {} m", highest_z), "draw it in the x-y plane, or add volumes");
+  }
+  return number;
+}
+
+double signed_measure(const mesh::WholeMesh& mesh, const std::int64_t* vertices, double& longest_edge) {
+  const int d = mesh.dimension;
   std::array<std::array<double, 3>, 3> e{};
-  const std::int64_t* corners = mesh.cell_vertices.data() + cell * (mesh.dimension + 1);
-  longest = 0;
-  for (int i = 0; i < mesh.dimension; ++i) {
-    double squared = 0;
-    for (int k = 0; k < mesh.dimension; ++k) {
-      e[i][k] = mesh.coordinates[corners[i + 1] * mesh.dimension + k] - mesh.coordinates[corners[0] * mesh.dimension + k];
-      squared += e[i][k] * e[i][k];
+  longest_edge = 0;
+  for (int i = 0; i < d; ++i) {
+    double square = 0;
+    for (int k = 0; k < d; ++k) {
+      e[i][k] = mesh.coordinates[vertices[i + 1] * d + k] - mesh.coordinates[vertices[0] * d + k];
+      square += e[i][k] * e[i][k];
     }
-    longest = std::max(longest, std::sqrt(squared));
+    longest_edge = std::max(longest_edge, std::sqrt(square));
   }
-  if (mesh.dimension == 2) return 0.5 * std::abs(e[0][0] * e[1][1] - e[0][1] * e[1][0]);
-  return std::abs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-                  e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
+  if (d == 2) return 0.5 * (e[0][0] * e[1][1] - e[0][1] * e[1][0]);
+  return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+          e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
          6;
 }
 
-void reject_flat_cells(const mesh::WholeMesh& mesh, const std::string& path) {
+/// Turns cells to positive volume; one without volume is an error.
+void orient_cells(const std::string& path, mesh::WholeMesh& mesh) {
+  const int d = mesh.dimension;
   for (std::int64_t cell = 0; cell < mesh.num_cells(); ++cell) {
-    double longest = 0;
-    if (volume(mesh, cell, longest) > 1e-9 * std::pow(longest, mesh.dimension)) continue;
-    const double* point = mesh.coordinates.data() + mesh.cell_vertices[cell * (mesh.dimension + 1)] * mesh.dimension;
-    throw UserError("every cell of the mesh " + path + " needs a volume",
-                    fmt::format("a flat cell at ({:.6g}, {:.6g})", point[0], point[1]),
-                    "check the geometry there, or mesh it finer");
+    std::int64_t* vertices = mesh.cell_vertices.data() + cell * (d + 1);
+    double longest_edge = 0;
+    const double measure = signed_measure(mesh, vertices, longest_edge);
+    if (measure < 0) std::swap(vertices[d - 1], vertices[d]);
+    if (std::abs(measure) > 1e-12 * std::pow(longest_edge, d)) continue;
+    const double* at = mesh.coordinates.data() + vertices[0] * d;
+    throw base::UserError(path + ": cells must have a volume",
+                          fmt::format("{} m{} in a cell of region \"{}\" near ({})", measure, d == 2 ? "^2" : "^3",
+                                      mesh.region_names[mesh.cell_region[cell]], fmt::join(at, at + d, ", ")),
+                          "look for lines or surfaces that touch or overlap there");
   }
 }
 
@@ -163,18 +174,24 @@ void reject_flat_cells(const mesh::WholeMesh& mesh, const std::string& path) {
 
 mesh::WholeMesh extract_model(const std::string& path) {
   mesh::WholeMesh mesh;
-  mesh.dimension = dimension_of_model(path);
-  std::unordered_map<std::size_t, std::int64_t> vertex_of_node;
-  add_cells(groups_of_dimension(mesh.dimension, path), path, mesh, vertex_of_node);
-  const std::size_t all = num_elements(mesh.dimension);
-  if (static_cast<std::size_t>(mesh.num_cells()) != all) {
-    throw UserError("every cell of the mesh " + path + " must belong to one named group of cells",
-                    fmt::format("{} cells, {} in named groups", all, mesh.num_cells()),
-                    mesh.dimension == 2 ? "name all surfaces by Physical Surface(\"...\"), each once"
-                                        : "name all volumes by Physical Volume(\"...\"), each once");
+  mesh.dimension = highest_dimension(path);
+  Elements cells = grouped_elements(path, mesh.dimension);
+  check_regions(path, mesh.dimension);
+  Elements facets = grouped_elements(path, mesh.dimension - 1);
+  const auto number = number_vertices(path, cells, mesh);
+  for (const std::size_t tag : cells.nodes) mesh.cell_vertices.push_back(number.at(tag));
+  mesh.cell_region = std::move(cells.group);
+  mesh.region_names = std::move(cells.names);
+  orient_cells(path, mesh);
+
+  const int d = mesh.dimension;
+  for (std::size_t f = 0; f < facets.group.size(); ++f) {
+    const auto first = facets.nodes.begin() + static_cast<std::ptrdiff_t>(f) * d;
+    if (!std::all_of(first, first + d, [&](std::size_t tag) { return number.contains(tag); })) continue;
+    for (int i = 0; i < d; ++i) mesh.facet_vertices.push_back(number.at(first[i]));
+    mesh.facet_group.push_back(facets.group[f]);
   }
-  add_facets(groups_of_dimension(mesh.dimension - 1, path), vertex_of_node, mesh);
-  reject_flat_cells(mesh, path);
+  mesh.group_names = std::move(facets.names);
   return mesh;
 }
 

@@ -9,18 +9,21 @@
 
 namespace vocalis::io {
 
-/// Meshes a Gmsh geometry, with some of its DefineConstant parameters set. Highest dimension with cells (2 or 3) is the
-/// mesh's; physical groups of cells are its regions, those of facets its groups. Deterministic: the same geometry and
-/// parameters give the same mesh.
+/// Meshes a Gmsh geometry on rank 0, with some of its DefineConstant parameters set.
+///
+/// The highest dimension with cells, 3 or 2, is that of the mesh; one of dimension 2 lies in the plane z = 0. Physical
+/// groups of that dimension are the regions, those of one less the facet groups, by name in the order of their tags;
+/// groups of one name are one. Lengths are in metres. Vertices that no cell has are left out, and cells are turned to
+/// positive volume. Deterministic: the same geometry and parameters give the same mesh.
 ///
 /// returns  the whole mesh on rank 0, its dimension and names everywhere
 /// Collective. Throws UserError on every rank: file missing, Gmsh's own errors with file and line, a parameter that the
 /// geometry does not define, and whatever `read_mesh` rejects.
 mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std::map<std::string, double>& parameters);
 
-/// Reads any mesh file that Gmsh reads. The same rules.
-/// Throws UserError: no cells, cells that are not simplices, cells without a named region, cells without volume,
-/// coordinates that are not finite.
+/// Reads any mesh file that Gmsh reads (and meshes one that has no cells yet). The same rules.
+/// Throws UserError: no cells; cells that are no linear triangles or tetrahedra, that belong to no region or several,
+/// or that have no volume; physical groups without a name; coordinates that are not finite.
 mesh::WholeMesh read_mesh(MPI_Comm comm, const std::string& path);
 
 }  // namespace vocalis::io

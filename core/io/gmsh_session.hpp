@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace vocalis::io {
+
+/// Gmsh's library with one model in it, from the constructor to the end of the scope. One rank, not collective; one at
+/// a time, for the library is a global.
+class GmshSession {
+ public:
+  /// Opens a file, and meshes it if it came without cells. Throws UserError with Gmsh's own words.
+  GmshSession(const std::string& path, const std::map<std::string, double>& parameters);
+  ~GmshSession();
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+
+ private:
+  void open(const std::string& path, const std::map<std::string, double>& parameters);
+};
+
+}  // namespace vocalis::io
