@@ -92,7 +92,7 @@ void check_regions(const std::string& path, int dimension) {
     gmsh::model::getPhysicalGroupsForEntity(dimension, entity, groups);
     if (groups.size() == 1) continue;
     const std::string kind = dimension == 2 ? "surface" : "volume";
-    throw base::UserError(path + ": every cell must belong to one region, which is a named physical " + kind,
+    throw base::UserError(path + ": every cell must belong to one region, a named physical group",
                           fmt::format("the {} cells of {} {} belong to {}", tags[0].size(), kind, entity,
                                       groups.empty() ? "none" : fmt::format("{} regions", groups.size())),
                           fmt::format("add it to one Physical {}(\"name\")", dimension == 2 ? "Surface" : "Volume"));

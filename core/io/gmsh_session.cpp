@@ -20,14 +20,16 @@ namespace {
 
 bool is_geometry(const std::string& path) { return std::filesystem::path(path).extension() == ".geo"; }
 
+std::string key_of(const std::string& path) { return is_geometry(path) ? "mesh.geometry" : "mesh.file"; }
+
 void check_file(const std::string& path) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code)) {
-    throw base::UserError("the mesh must be a file", path + " is a folder", "give the .geo or mesh file in [mesh]");
+    throw base::UserError("the mesh must be a file", path + " is a folder", "give a file as " + key_of(path));
   }
   if (!std::ifstream(path)) {
     throw base::UserError("the mesh file must be readable", path,
-                          "check the path in [mesh] (relative to the case file)");
+                          "check " + key_of(path) + ", a path from the case file");
   }
 }
 

@@ -167,3 +167,12 @@ TEST_CASE("bad meshes are refused on every rank in words that help") {
   const std::string two = folder.write("two.msh", whole);
   CHECK_THAT(error_of([&] { mesh_geometry(MPI_COMM_WORLD, two, {{"width", 1}}); }), Contains("only a .geo file"));
 }
+
+TEST_CASE("the broken meshes kept for the whole program are refused by name") {
+  const std::string folder = VOCALIS_SOURCE_DIR "/tests/broken_cases/";
+  for (const std::string name :
+       {"empty.geo", "bad_syntax.geo", "no_groups.geo", "only_curves.geo", "letter.msh", "truncated.msh",
+        "flat_cell.msh", "nan_node.msh", "missing_node.msh", "quadrangle.msh"}) {
+    CHECK_THAT(error_of([&] { read_mesh(MPI_COMM_WORLD, folder + name); }), Catch::Contains(name));
+  }
+}
