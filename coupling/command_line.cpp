@@ -52,6 +52,9 @@ Command parse_command(const std::vector<std::string>& arguments) {
         ->allow_extra_args(false);
     sub->add_option("--out", out, "run folder (output.directory of the case otherwise)");
   }
+  for (CLI::App* sub : {run, resume}) {
+    sub->add_option("--steps", command.steps, "stop after so many steps; resume goes on")->check(CLI::PositiveNumber);
+  }
 
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // CLI11 takes them from the back

@@ -23,6 +23,7 @@ struct Command {
   Kind kind = Kind::help;
   std::string target;                  ///< the case file of run and check; the run folder of resume and spectrum
   std::vector<std::string> overrides;  ///< "key=value" in order; `--out DIR` is among them as output.directory
+  long steps = 0;                      ///< run and resume: stop after so many steps; 0: go to the end
   std::string text;                    ///< what help prints
 };
 

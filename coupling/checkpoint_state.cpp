@@ -1,0 +1,130 @@
+#include "coupling/checkpoint_state.hpp"
+
+#include <bit>
+#include <cstring>
+
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
+#include "core/io/checkpoint.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+/// A number that changes with any coordinate or cell of this rank's part of the parent mesh (FNV-1a).
+std::int64_t fingerprint(const mesh::Mesh& mesh) {
+  std::uint64_t hash = 14695981039346656037ull;
+  const auto mix = [&hash](std::uint64_t bits) { hash = (hash ^ bits) * 1099511628211ull; };
+  for (const double coordinate : mesh.coordinates) mix(std::bit_cast<std::uint64_t>(coordinate));
+  for (const std::int32_t vertex : mesh.cell_vertices) mix(static_cast<std::uint64_t>(vertex));
+  return static_cast<std::int64_t>(hash >> 1);
+}
+
+/// The five vertex and pressure arrays of the flow, by name.
+template <class State, class Function>
+void for_each_flow_array(State& state, const Function& function) {
+  function("flow.velocity", state.velocity.values);
+  function("flow.velocity_before", state.velocity_before.values);
+  function("flow.displacement", state.displacement.values);
+  function("flow.displacement_before", state.displacement_before.values);
+  function("flow.pressure", state.pressure.values);
+}
+
+template <class State, class Function>
+void for_each_acoustic_array(State& state, const std::string& name, const Function& function) {
+  function(name + ".p", state.p);
+  function(name + ".psi", state.psi);
+  for (std::size_t i = 0; i < state.earlier.size(); ++i) function(name + ".earlier" + std::to_string(i), state.earlier[i]);
+}
+
+std::vector<double> on_rank_0(MPI_Comm comm, std::vector<double> values) {
+  if (base::rank(comm) != 0) values.clear();
+  return values;
+}
+
+std::string acoustic_name(std::size_t index) { return "acoustic" + std::to_string(index); }
+
+}  // namespace
+
+void save_checkpoint(const std::string& path, const Case& config, const Scene& scene, Simulation& simulation,
+                     const CheckpointFacts& facts) {
+  const MPI_Comm comm = scene.parent.comm;
+  io::CheckpointWriter writer(comm, path);
+  const auto add = [&writer](const std::string& name, const std::vector<double>& values) {
+    writer.add(name, std::span<const double>(values));
+  };
+  writer.add_text("case", config.name);
+  const std::vector<std::int64_t> mesh = {fingerprint(scene.parent)};
+  writer.add("mesh", std::span<const std::int64_t>(mesh));
+  const Clock& clock = simulation.clock();
+  add("clock", on_rank_0(comm, {clock.time, static_cast<double>(clock.step), static_cast<double>(clock.rejected),
+                                static_cast<double>(clock.halvings), static_cast<double>(clock.accepted_in_a_row),
+                                facts.wall_seconds}));
+  if (simulation.flow()) {
+    const fsi::State& state = simulation.flow()->state();
+    add("flow.times", on_rank_0(comm, {state.time, state.last_dt}));
+    for_each_flow_array(state, add);
+  }
+  for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
+    const acoustic::State& state = simulation.voices()[i]->solver().state();
+    add(acoustic_name(i) + ".times", on_rank_0(comm, {state.time, static_cast<double>(state.earlier.size())}));
+    for_each_acoustic_array(state, acoustic_name(i), add);
+  }
+  writer.commit();
+}
+
+CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Scene& scene, Simulation& simulation) {
+  const MPI_Comm comm = scene.parent.comm;
+  const io::CheckpointReader reader(comm, path);
+  if (const std::string name = reader.text("case"); name != config.name) {
+    throw base::UserError("the checkpoint must be of this case: " + path, "of the case \"" + name + "\"",
+                          "resume the folder of the run that wrote it");
+  }
+  const bool same = reader.integers("mesh") == std::vector<std::int64_t>{fingerprint(scene.parent)};
+  if (base::smallest(comm, static_cast<std::int32_t>(same)) == 0) {
+    throw base::UserError("the checkpoint must be of this mesh: " + path, "another mesh",
+                          "the geometry has changed since: run the case again");
+  }
+  const auto numbers = [&](const std::string& name) {
+    std::vector<double> values = reader.doubles(name);
+    base::broadcast(comm, values);
+    return values;
+  };
+  const auto read = [&](const std::string& name, std::vector<double>& values) {
+    std::vector<double> stored = reader.doubles(name);
+    const bool fits = stored.size() == values.size();
+    if (base::smallest(comm, static_cast<std::int32_t>(fits)) == 0) {
+      throw base::UserError("the checkpoint must fit the case: " + path, name + " has another size",
+                            "the case has changed since: run it again");
+    }
+    values = std::move(stored);
+  };
+  const std::vector<double> times = numbers("clock");
+  Clock clock = simulation.clock();
+  clock.time = times[0];
+  clock.step = static_cast<long>(times[1]);
+  clock.rejected = static_cast<long>(times[2]);
+  clock.halvings = static_cast<int>(times[3]);
+  clock.accepted_in_a_row = static_cast<int>(times[4]);
+  simulation.set_clock(clock);
+  if (simulation.flow()) {
+    fsi::State state = simulation.flow()->state();
+    const std::vector<double> flow_times = numbers("flow.times");
+    state.time = flow_times[0];
+    state.last_dt = flow_times[1];
+    for_each_flow_array(state, read);
+    simulation.flow()->set_state(state);
+  }
+  for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
+    acoustic::State state = simulation.voices()[i]->solver().state();
+    const std::vector<double> acoustic_times = numbers(acoustic_name(i) + ".times");
+    state.time = acoustic_times[0];
+    state.earlier.assign(static_cast<std::size_t>(acoustic_times[1]), std::vector<double>(state.p.size()));
+    for_each_acoustic_array(state, acoustic_name(i), read);
+    simulation.voices()[i]->solver().set_state(std::move(state));
+  }
+  simulation.restart_from_states();
+  return {times[5]};
+}
+
+}  // namespace vocalis::coupling

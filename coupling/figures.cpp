@@ -1,0 +1,129 @@
+#include "coupling/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "acoustic_solver/resample.hpp"
+#include "acoustic_solver/ring_down.hpp"
+#include "acoustic_solver/voice.hpp"
+#include "core/io/series_reader.hpp"
+#include "core/io/wav.hpp"
+#include "coupling/spectra_file.hpp"
+#include "coupling/voiced_formants.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+constexpr double analysis_rate = 44100;  // [Hz]
+
+/// The part of a series from a time on.
+std::vector<double> since(const std::vector<double>& times, const std::vector<double>& values, double begin) {
+  const auto first = std::lower_bound(times.begin(), times.end(), begin) - times.begin();
+  return {values.begin() + first, values.end()};
+}
+
+/// When all boundary values have risen; what comes before is not voice.
+double end_of_ramps(const Case& config) {
+  double end = 0;
+  if (config.flow) {
+    for (const fsi::FlowBoundary& boundary : config.flow->boundaries) end = std::max(end, boundary.ramp);
+  }
+  return end;
+}
+
+double mean(const std::vector<double>& values) {
+  return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+void add_vibration(const std::vector<double>& gap, Figures& figures) {
+  const acoustic::Growth growth = acoustic::growth(gap, analysis_rate);
+  figures.vibration = acoustic::name(growth.trend);
+  if (growth.trend == acoustic::Trend::none) return;
+  figures.values["f0_Hz"] = growth.frequency;
+  figures.values["vibration_factor_per_period"] = growth.factor;
+  figures.values["vibration_periods"] = static_cast<double>(growth.amplitudes.size());
+  figures.values["vibration_last_amplitude_m"] = growth.amplitudes.back();
+}
+
+void add_history(const Case& config, const io::Series& history, Figures& figures) {
+  const std::vector<double>& times = *history.find("time_s");
+  const double begin = end_of_ramps(config);
+  bool has_gap = false;
+  for (const MonitorSettings& monitor : config.monitors) {
+    for (std::size_t c = 0; c < history.columns.size(); ++c) {
+      const std::string& column = history.columns[c];
+      if (!column.starts_with(monitor.name + "_")) continue;
+      const std::vector<double> late = since(times, history.values[c], begin);
+      if (late.empty()) continue;
+      const std::string unit = column.substr(monitor.name.size());
+      if (monitor.kind == MonitorKind::flux) figures.values[monitor.name + "_mean" + unit] = mean(late);
+      if (monitor.kind == MonitorKind::gap) {
+        figures.values[monitor.name + "_peak" + unit] = *std::max_element(late.begin(), late.end());
+        figures.values[monitor.name + "_least" + unit] = *std::min_element(late.begin(), late.end());
+        if (!has_gap) add_vibration(acoustic::resample(times, history.values[c], analysis_rate), figures);
+        has_gap = true;
+      }
+    }
+  }
+}
+
+void add_formants(const std::vector<acoustic::Formant>& formants, const std::string& suffix, Figures& figures) {
+  for (std::size_t i = 0; i < formants.size() && i < 5; ++i) {
+    figures.values[fmt::format("F{}_Hz{}", i + 1, suffix)] = formants[i].frequency;
+    if (std::isfinite(formants[i].bandwidth)) {
+      figures.values[fmt::format("B{}_Hz{}", i + 1, suffix)] = formants[i].bandwidth;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Channel> channels(const Case& config) {
+  std::vector<Channel> result;
+  for (const acoustic::AcousticSettings& solver : config.acoustics) {
+    for (const acoustic::MicrophoneSettings& microphone : config.microphones) {
+      const std::string suffix = config.acoustics.size() == 1 ? microphone.name : solver.name + "." + microphone.name;
+      result.push_back({suffix, "pressure_Pa." + suffix, solver.name});
+    }
+  }
+  return result;
+}
+
+Figures evaluate_run(const Case& config, const std::string& folder) {
+  const std::filesystem::path run = folder;
+  Figures figures;
+  if (config.flow) add_history(config, io::read_series((run / "history.csv").string()), figures);
+  if (config.microphones.empty()) return figures;
+
+  const io::Series recorded = io::read_series((run / "microphones.csv").string());
+  const std::vector<double>& times = *recorded.find("time_s");
+  std::vector<ChannelSpectrum> spectra;
+  for (const Channel& channel : channels(config)) {
+    const std::vector<double>& pressure = *recorded.find(channel.column);
+    const std::vector<double> sound = acoustic::resample(times, pressure, analysis_rate);
+    io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
+    ChannelSpectrum spectrum = {channel, acoustic::welch(sound, analysis_rate, 4096), {}};
+    // The first microphone's formants carry the plain names F1_Hz, ...
+    const std::string suffix = spectra.empty() ? "" : "." + channel.suffix;
+    if (config.source) {
+      const std::vector<double> flux = acoustic::resample(times, *recorded.find(source_column), analysis_rate);
+      const auto response = acoustic::analyse_pulse_response(flux, sound, analysis_rate, {});
+      spectrum.transfer = response.transfer;
+      add_formants(response.formants, suffix, figures);
+    } else {
+      add_formants(voiced_formants(sound, analysis_rate), suffix, figures);
+    }
+    figures.values["SPL_dB." + channel.suffix] =
+        acoustic::sound_pressure_level(since(times, pressure, end_of_ramps(config)));
+    spectra.push_back(std::move(spectrum));
+  }
+  write_spectra((run / "spectra.csv").string(), config, spectra);
+  return figures;
+}
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/flow_view.hpp"
+#include "coupling/scene.hpp"
+#include "fsi_solver/fsi_solver.hpp"
+
+namespace vocalis::coupling {
+
+/// Turns two consecutive states of the flow into what an analogy sees. What does not change from step to step (which
+/// cells are fluid, where the outlet is, which pressure belongs to a vertex) is found once.
+class FlowHistory {
+ public:
+  /// Scene and solver must outlive it.
+  FlowHistory(const Scene& scene, const fsi::FsiSolver& flow);
+
+  /// Keeps the flow's present state as the beginning of the next step.
+  void begin_step();
+  /// The step from there to the flow's present state.
+  FlowView view() const;
+
+  /// Displacement of the vertices [m], at the beginning and the end.
+  const fem::Field& displacement_begin() const { return displacement_begin_; }
+  fem::Field displacement_end() const;
+
+ private:
+  std::vector<double> vertex_pressure() const;
+
+  const Scene& scene_;
+  const fsi::FsiSolver& flow_;
+  fem::Space space_;                              ///< P1 on the flow mesh
+  std::vector<std::int32_t> cell_is_fluid_;
+  std::vector<mesh::NamedFacet> outlet_;
+  std::vector<std::int32_t> vertex_to_pressure_;  ///< dof of the fluid's pressure, or -1
+  double time_begin_ = 0;
+  std::vector<double> pressure_begin_, velocity_begin_;
+  fem::Field displacement_begin_;
+};
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,185 @@
+#include "coupling/run.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.hpp"
+#include "core/base/log.hpp"
+#include "core/base/mpi.hpp"
+#include "coupling/checkpoint_state.hpp"
+#include "coupling/run_folder.hpp"
+#include "coupling/summary.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+constexpr int finished_code = 0, failed_code = 3;
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string checkpoint_path(const std::string& folder) { return (std::filesystem::path(folder) / "checkpoint.h5").string(); }
+
+/// Does something on rank 0 that may find a mistake of the user's; all ranks hear of it. Collective.
+template <class Action>
+void on_rank_0(MPI_Comm comm, const Action& action) {
+  std::vector<char> message;
+  if (base::rank(comm) == 0) {
+    try {
+      action();
+    } catch (const base::UserError& error) {
+      const std::string text = error.what();
+      message.assign(text.begin(), text.end());
+    }
+  }
+  base::broadcast(comm, message);
+  if (!message.empty()) throw base::UserError(std::string(message.begin(), message.end()));
+}
+
+RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
+  RunFacts facts;
+  facts.ranks = base::size(scene.parent.comm);
+  facts.dimension = scene.parent.dimension;
+  facts.cells["parent"] = scene.parent.cells.num_global;
+  if (scene.flow) {
+    facts.cells["flow"] = scene.flow->mesh.cells.num_global;
+    facts.unknowns["flow"] = scene.parent.dimension * scene.flow->mesh.vertices.num_global +
+                             simulation.flow()->pressure_space().dofs.num_global;
+  }
+  if (scene.acoustic) {
+    facts.cells["acoustic"] = scene.acoustic->mesh.cells.num_global;
+    facts.unknowns["acoustic"] = 2 * scene.acoustic->mesh.vertices.num_global;
+  }
+  return facts;
+}
+
+/// One run from its present state to the end of the case or of its budget of steps.
+class Run {
+ public:
+  Run(MPI_Comm comm, const Case& config, bool goes_on)
+      : comm_(comm), config_(config), folder_(config.output.directory), log_(comm) {
+    log_.open_file((std::filesystem::path(folder_) / "log.txt").string(), goes_on);
+    log_.info("Vocalis {}: {} on {} ranks, into {}", VOCALIS_VERSION, config.name, base::size(comm), folder_);
+    scene_ = build_scene(comm, config);
+    simulation_ = std::make_unique<Simulation>(*scene_, config, timers_);
+    if (goes_on) {
+      facts_before_ = load_checkpoint(checkpoint_path(folder_), config, *scene_, *simulation_);
+      log_.info("goes on from step {} at {:.6g} s", simulation_->clock().step, simulation_->clock().time);
+    }
+    output_ = std::make_unique<RunOutput>(config, folder_, *scene_, *simulation_, goes_on);
+    facts_ = facts_of_scene(*scene_, *simulation_);
+    for (const auto& [mesh, cells] : facts_.cells) log_.info("  {:<9} {:>9} cells", mesh, cells);
+    for (const auto& [mesh, unknowns] : facts_.unknowns) log_.info("  {:<9} {:>9} unknowns", mesh, unknowns);
+    if (!goes_on) checkpoint();
+  }
+
+  int go(long largest_steps) {
+    const long first = simulation_->clock().step;
+    while (!simulation_->clock().done()) {
+      if (largest_steps > 0 && simulation_->clock().step - first >= largest_steps) return end("stopped", "--steps", 0);
+      const StepOutcome outcome = simulation_->step();
+      if (!outcome.failure.empty()) return end("failed", outcome.failure, failed_code);
+      const Clock& clock = simulation_->clock();
+      {
+        const auto scope = timers_.scope("output");
+        output_->record(*simulation_, outcome);
+        if (config_.output.checkpoint_steps > 0 && clock.step % config_.output.checkpoint_steps == 0) checkpoint();
+      }
+      log_.progress({clock.step, clock.time, clock.end, outcome.dt, outcome.newton_iterations});
+    }
+    return end("finished", "", finished_code);
+  }
+
+ private:
+  void checkpoint() {
+    output_->flush(*simulation_);
+    save_checkpoint(checkpoint_path(folder_), config_, *scene_, *simulation_, {wall_seconds()});
+    simulation_->drop_caches();
+  }
+
+  double wall_seconds() const { return facts_before_.wall_seconds + watch_.seconds(); }
+
+  int end(const std::string& status, const std::string& reason, int code) {
+    log_.end_progress();
+    output_->flush(*simulation_);
+    const Clock& clock = simulation_->clock();
+    facts_.status = status;
+    facts_.reason = reason;
+    facts_.steps = clock.step;
+    facts_.rejected_steps = clock.rejected;
+    facts_.simulated_seconds = clock.time;
+    facts_.wall_seconds = wall_seconds();
+    facts_.phases = timers_.largest_over_ranks(comm_);
+    facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());
+    on_rank_0(comm_, [&] {
+      const Figures figures = evaluate_run(config_, folder_);
+      write_summary((std::filesystem::path(folder_) / "summary.json").string(), config_, facts_, figures);
+      print_table(log_, config_, facts_, figures);
+    });
+    return code;
+  }
+
+  MPI_Comm comm_;
+  const Case& config_;
+  std::string folder_;
+  Stopwatch watch_;
+  base::Log log_;
+  base::Timers timers_;
+  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<RunOutput> output_;
+  RunFacts facts_;
+  CheckpointFacts facts_before_;
+};
+
+/// Tells the start script which folder the report is to be made of. Rank 0.
+void note_run_folder(MPI_Comm comm, const std::string& folder) {
+  const char* note = std::getenv("VOCALIS_NOTE");
+  if (note && base::rank(comm) == 0) std::ofstream(note) << std::filesystem::absolute(folder).string() << '\n';
+}
+
+/// The case of a run folder: its resolved.toml, which names all values, with the folder itself as the place.
+Case case_of_folder(MPI_Comm comm, const std::string& folder) {
+  const std::string file = (std::filesystem::path(folder) / "resolved.toml").string();
+  Case config = read_case(comm, file, {});
+  config.output.directory = folder;
+  return config;
+}
+
+}  // namespace
+
+int run(MPI_Comm comm, const Command& command) {
+  const Case config = read_case(comm, command.target, command.overrides);
+  prepare_run_folder(comm, config.output.directory);
+  note_run_folder(comm, config.output.directory);
+  write_resolved(comm, config, (std::filesystem::path(config.output.directory) / "resolved.toml").string());
+  return Run(comm, config, false).go(command.steps);
+}
+
+int resume(MPI_Comm comm, const Command& command) {
+  const Case config = case_of_folder(comm, command.target);
+  note_run_folder(comm, config.output.directory);
+  return Run(comm, config, true).go(command.steps);
+}
+
+int spectrum(MPI_Comm comm, const Command& command) {
+  const Case config = case_of_folder(comm, command.target);
+  base::Log log(comm);
+  on_rank_0(comm, [&] {
+    const Figures figures = evaluate_run(config, command.target);
+    for (const auto& [name, value] : figures.values) log.info("  {:<28} {:>12.6g}", name, value);
+  });
+  return finished_code;
+}
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/fields_writer.hpp"
+#include "core/io/series_writer.hpp"
+#include "coupling/simulation.hpp"
+
+namespace vocalis::coupling {
+
+/// Makes a run folder, or empties one of an earlier run of its known files. Collective. Throws UserError if it cannot
+/// be made, or holds something else than a run.
+void prepare_run_folder(MPI_Comm comm, const std::string& folder);
+
+/// What a run writes while it goes: history.csv, microphones.csv (microphones_NAME.csv for a second acoustic solver and
+/// more) and the fields.
+class RunOutput {
+ public:
+  /// last_step  0: a new run; else the files are cut after this step and time, and go on
+  /// Collective. Throws UserError if the files cannot be written.
+  RunOutput(const Case& config, const std::string& folder, const Scene& scene, Simulation& simulation, bool goes_on);
+
+  /// Records an accepted step; writes the fields if they are due. Collective.
+  void record(Simulation& simulation, const StepOutcome& outcome);
+  /// Brings all that was recorded to the disk. Collective. Throws UserError if the disk does not take it.
+  void flush(Simulation& simulation);
+
+ private:
+  void record_microphones(Simulation& simulation);
+  void write_fields(Simulation& simulation);
+
+  const Case& config_;
+  const Scene& scene_;
+  std::unique_ptr<io::SeriesWriter> history_;
+  std::vector<std::unique_ptr<io::SeriesWriter>> microphones_;
+  std::unique_ptr<io::FieldsWriter> fields_;
+};
+
+/// The file of an acoustic solver's microphones, by its place in the case.
+std::string microphones_file(const Case& config, std::size_t solver);
+
+}  // namespace vocalis::coupling

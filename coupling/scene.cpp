@@ -1,0 +1,89 @@
+#include "coupling/scene.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
+#include "core/io/gmsh_reader.hpp"
+#include "core/mesh/partition.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+std::vector<RegionKind> kinds_of_regions(const Case& config, const std::vector<std::string>& names) {
+  std::vector<RegionKind> kinds(names.size(), RegionKind::air);
+  for (const coupling::Region& region : config.regions) kinds[mesh::index_of(names, region.name)] = region.kind;
+  return kinds;
+}
+
+bool carries_flow(RegionKind kind) { return kind != RegionKind::air; }
+bool carries_sound(RegionKind kind) { return kind != RegionKind::solid; }
+
+/// One unit of work for each solver that a cell takes part in.
+std::vector<std::int32_t> work_of_cells(const mesh::WholeMesh& whole, const std::vector<RegionKind>& kinds, bool flow,
+                                        bool acoustic) {
+  std::vector<std::int32_t> work;
+  for (const std::int32_t region : whole.cell_region) {
+    if (flow) work.push_back(carries_flow(kinds[region]));
+    if (acoustic) work.push_back(carries_sound(kinds[region]));
+  }
+  return work;
+}
+
+std::unique_ptr<transfer::StrippedMesh> strip_by_kind(const Scene& scene, bool (*keeps)(RegionKind)) {
+  std::vector<std::int32_t> keep(scene.parent.num_cells());
+  for (std::int32_t cell = 0; cell < scene.parent.num_cells(); ++cell) {
+    keep[cell] = keeps(scene.kind_of_region[scene.parent.cell_region[cell]]);
+  }
+  return std::make_unique<transfer::StrippedMesh>(transfer::strip(scene.parent, keep));
+}
+
+}  // namespace
+
+std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config) {
+  const MeshSettings& source = config.mesh;
+  const mesh::WholeMesh whole =
+      source.is_geometry ? io::mesh_geometry(comm, source.file, source.parameters) : io::read_mesh(comm, source.file);
+  check_case_against_mesh_names(config, whole.dimension, whole.region_names, whole.group_names);
+  auto scene = std::make_unique<Scene>();
+  const bool flow = config.flow.has_value();
+  const bool acoustic = !config.acoustics.empty();
+  std::vector<std::int32_t> cell_rank;
+  if (base::rank(comm) == 0) {
+    const auto kinds = kinds_of_regions(config, whole.region_names);
+    cell_rank = mesh::partition_cells(whole, base::size(comm), work_of_cells(whole, kinds, flow, acoustic),
+                                      static_cast<int>(flow) + static_cast<int>(acoustic));
+  }
+  scene->parent = mesh::build_mesh(comm, mesh::scatter(comm, whole, cell_rank));
+  scene->kind_of_region = kinds_of_regions(config, scene->parent.region_names);
+  if (flow) scene->flow = strip_by_kind(*scene, carries_flow);
+  if (acoustic) scene->acoustic = strip_by_kind(*scene, carries_sound);
+  return scene;
+}
+
+std::vector<mesh::NamedFacet> flow_outlet(const Scene& scene) {
+  const transfer::StrippedMesh& flow = *scene.flow;
+  const int facets = scene.parent.dimension + 1;
+  std::vector<mesh::NamedFacet> result;
+  for (std::int32_t cell = 0; cell < flow.mesh.num_cells(); ++cell) {
+    const std::int32_t parent_cell = flow.cell_to_parent[cell];
+    if (scene.kind_of_region[scene.parent.cell_region[parent_cell]] != RegionKind::fluid) continue;
+    for (int i = 0; i < facets; ++i) {
+      // Stripping keeps the order of a cell's vertices, so facet i is the same one in both meshes.
+      const std::int32_t behind = scene.parent.cell_neighbours[static_cast<std::size_t>(parent_cell) * facets + i];
+      if (behind < 0 || scene.kind_of_region[scene.parent.cell_region[behind]] != RegionKind::air) continue;
+      result.push_back({cell, i, -1});
+    }
+  }
+  return result;
+}
+
+std::vector<std::int32_t> fluid_cells(const Scene& scene) {
+  const mesh::Mesh& flow = scene.flow->mesh;
+  std::vector<std::int32_t> result(flow.num_cells());
+  for (std::int32_t cell = 0; cell < flow.num_cells(); ++cell) {
+    result[cell] = scene.kind_of_region[flow.cell_region[cell]] == RegionKind::fluid;
+  }
+  return result;
+}
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,80 @@
+#include "coupling/simulation.hpp"
+
+#include <algorithm>
+
+namespace vocalis::coupling {
+
+Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) : scene_(scene), timers_(timers) {
+  clock_.end = config.time.end;
+  clock_.nominal_step = config.time.step;
+  clock_.smallest_step = config.time.smallest_step > 0 ? config.time.smallest_step : config.time.step / 64;
+  if (config.flow) {
+    flow_ = std::make_unique<fsi::FsiSolver>(scene.flow->mesh, *config.flow, config.time);
+    history_ = std::make_unique<FlowHistory>(scene, *flow_);
+    monitors_ = std::make_unique<Monitors>(scene.flow->mesh, config.monitors);
+  }
+  if (config.source) source_.emplace(config.source->pulse);
+  for (const acoustic::AcousticSettings& settings : config.acoustics) {
+    voices_.push_back(std::make_unique<Voice>(scene, config, settings));
+  }
+}
+
+StepOutcome Simulation::step() {
+  StepOutcome outcome = flow_ ? step_flow() : StepOutcome{.failure = "", .dt = clock_.dt()};
+  if (!outcome.failure.empty()) return outcome;
+  step_voices(outcome.dt, outcome);
+  if (outcome.failure.empty()) clock_.advance(outcome.dt);
+  return outcome;
+}
+
+StepOutcome Simulation::step_flow() {
+  StepOutcome outcome;
+  history_->begin_step();
+  for (;;) {
+    outcome.dt = clock_.dt();
+    const auto report = flow_->try_step(outcome.dt);
+    outcome.newton_iterations += report.newton_iterations;
+    outcome.smallest_quality = report.smallest_quality;
+    if (report.converged) break;
+    if (!clock_.can_shrink()) {
+      outcome.failure = "the flow's step did not converge with the smallest dt: " + report.reason;
+      return outcome;
+    }
+    clock_.shrink();
+  }
+  flow_->accept();
+  return outcome;
+}
+
+void Simulation::step_voices(double dt, StepOutcome& outcome) {
+  std::optional<FlowView> view;
+  if (history_ && !voices_.empty()) {
+    const auto scope = timers_.scope("analogy");
+    view = history_->view();
+  }
+  const auto scope = timers_.scope("acoustic");
+  for (auto& voice : voices_) {
+    const auto report =
+        view ? voice->follow(*view, history_->displacement_begin(), history_->displacement_end())
+             : voice->drive(dt, [this](double time) { return source_ ? source_->value(time) : 0.0; });
+    outcome.acoustic_iterations += report.linear_iterations;
+    if (!report.converged) outcome.failure = "the acoustic step did not converge: " + report.reason;
+  }
+}
+
+std::vector<double> Simulation::monitor_values() const {
+  if (!monitors_) return {};
+  return monitors_->evaluate({flow_->current_coordinates(), flow_->state().velocity.values});
+}
+
+void Simulation::drop_caches() {
+  if (flow_) flow_->drop_caches();
+  for (auto& voice : voices_) voice->solver().drop_caches();
+}
+
+void Simulation::restart_from_states() {
+  if (history_) history_->begin_step();
+  drop_caches();
+}
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acoustic_solver/pulse.hpp"
+#include "core/base/timers.hpp"
+#include "coupling/clock.hpp"
+#include "coupling/flow_history.hpp"
+#include "coupling/monitors.hpp"
+#include "coupling/scene.hpp"
+#include "coupling/voice.hpp"
+
+namespace vocalis::coupling {
+
+/// What one step did, for history.csv and the progress line.
+struct StepOutcome {
+  std::string failure;                ///< empty: the step was accepted
+  double dt = 0;                      ///< [s]
+  int newton_iterations = 0;
+  int acoustic_iterations = 0;        ///< of all acoustic solvers
+  double smallest_quality = 1;        ///< of the moved mesh
+};
+
+/// All parts of one run, and the step that couples them: the flow moves first, on its own; the air follows it; then each
+/// acoustic solver takes its source from the flow's step and sub-steps to the same time. Coupling is one-way.
+class Simulation {
+ public:
+  /// The scene must outlive the simulation. Throws UserError for what the meshes do not have. Collective.
+  Simulation(Scene& scene, const Case& config, base::Timers& timers);
+
+  /// Takes one accepted step, shrinking dt until the flow converges. Collective.
+  StepOutcome step();
+
+  const Clock& clock() const { return clock_; }
+  void set_clock(const Clock& clock) { clock_ = clock; }
+  const Monitors* monitors() const { return monitors_.get(); }
+  std::vector<double> monitor_values() const;
+  const fsi::FsiSolver* flow() const { return flow_.get(); }
+  fsi::FsiSolver* flow() { return flow_.get(); }
+  std::vector<std::unique_ptr<Voice>>& voices() { return voices_; }
+  const std::optional<acoustic::PulseFlux>& source() const { return source_; }
+
+  /// After this the future depends on the states alone, to the last bit: called at every scheduled checkpoint, in runs
+  /// that are never stopped, too.
+  void drop_caches();
+  /// After the states were replaced by those of a checkpoint.
+  void restart_from_states();
+
+ private:
+  StepOutcome step_flow();
+  void step_voices(double dt, StepOutcome& outcome);
+
+  Scene& scene_;
+  base::Timers& timers_;
+  Clock clock_;
+  std::unique_ptr<fsi::FsiSolver> flow_;
+  std::unique_ptr<FlowHistory> history_;
+  std::unique_ptr<Monitors> monitors_;
+  std::optional<acoustic::PulseFlux> source_;
+  std::vector<std::unique_ptr<Voice>> voices_;
+};
+
+}  // namespace vocalis::coupling

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "acoustic_solver/acoustic_solver.hpp"
+#include "acoustic_solver/microphones.hpp"
+#include "coupling/analogy.hpp"
+#include "coupling/case.hpp"
+#include "coupling/scene.hpp"
+#include "transfer/carry.hpp"
+
+namespace vocalis::coupling {
+
+/// One [[acoustic]] of a case: a solver, the analogy that feeds it, and the microphones that listen to it.
+class Voice {
+ public:
+  /// The scene must outlive the voice. Throws UserError for a microphone outside of the air. Collective.
+  Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings);
+
+  /// Follows one accepted step of the flow. The air moves with the flow mesh: displacements [m] at the step's beginning
+  /// and end, P1 on the flow mesh, ghosts current. Collective.
+  acoustic::AdvanceReport follow(const FlowView& flow, const fem::Field& displacement_begin,
+                                 const fem::Field& displacement_end);
+
+  /// Advances by dt [s] with a prescribed flux g(t) [m/s] instead of a flow. Collective.
+  acoustic::AdvanceReport drive(double dt, const std::function<double(double)>& flux);
+
+  acoustic::AcousticSolver& solver() { return solver_; }
+  const acoustic::AcousticSolver& solver() const { return solver_; }
+  acoustic::Microphones& microphones() { return microphones_; }
+
+ private:
+  std::vector<double> moved_coordinates(const fem::Field& displacement) const;
+  double fade(double time) const;
+
+  Scene& scene_;
+  acoustic::AcousticSettings settings_;
+  std::unique_ptr<Analogy> analogy_;
+  acoustic::AcousticSolver solver_;
+  acoustic::Microphones microphones_;
+  std::vector<double> rest_coordinates_;
+  std::unique_ptr<transfer::SharedVertices> flow_to_acoustic_;
+};
+
+}  // namespace vocalis::coupling
