@@ -1,0 +1,31 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <string>
+
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
+
+namespace vocalis::io {
+
+/// Lets rank 0 do something with files while the others wait. Collective.
+template <class Work>
+void on_rank_0(const Work& work) {
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (base::rank(MPI_COMM_WORLD) == 0) work();
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+/// The words of the UserError that the work throws on this rank; empty if it throws none.
+template <class Work>
+std::string user_error_of(const Work& work) {
+  try {
+    work();
+  } catch (const base::UserError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace vocalis::io
