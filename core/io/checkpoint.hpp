@@ -35,14 +35,14 @@ class CheckpointWriter {
  private:
   template <class T>
   struct Gathered {
-    std::vector<T> values;              ///< of all ranks, in rank order
-    std::vector<std::int64_t> counts;   ///< of each rank
+    std::vector<T> values;             ///< of all ranks, in rank order
+    std::vector<std::int64_t> counts;  ///< of each rank
   };
   void write(const std::string& path) const;
 
   MPI_Comm comm_;
   std::string path_;
-  std::map<std::string, Gathered<double>> doubles_;             ///< rank 0 only, as all below
+  std::map<std::string, Gathered<double>> doubles_;  ///< rank 0 only, as all below
   std::map<std::string, Gathered<std::int64_t>> integers_;
   std::map<std::string, std::string> texts_;
 };
