@@ -4,15 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "core/io/xdmf.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace vocalis::io {
 
 /// A field at the vertices of the mesh.
 struct NamedValues {
-  std::string name;                 ///< "velocity"
-  int components = 1;               ///< 1, or the mesh's dimension
-  std::span<const double> values;   ///< (vertices.num_local, components); ghosts are not read; NaN where undefined
+  std::string name;                ///< "velocity"
+  int components = 1;              ///< 1, or the mesh's dimension
+  std::span<const double> values;  ///< (vertices.num_local, components); ghosts are not read; NaN where undefined
 };
 
 /// Writes fields for ParaView and for h5py into a folder. Rank 0 alone has the files; vertices and cells are in their
@@ -41,26 +42,22 @@ class FieldsWriter {
   void write(long step, double time, const std::vector<NamedValues>& fields);
 
  private:
-  struct Written {
-    std::string name;
-    int components = 1;   ///< 1 or 3
-  };
   struct Step {
     long number = 0;
-    double time = 0;      ///< [s]
-    std::vector<Written> fields;
+    std::string description;  ///< its element of fields.xdmf
   };
-  struct Existing {};
-  FieldsWriter(Existing, MPI_Comm comm, const std::string& folder, const mesh::Mesh& parent);
-  void create_file(const std::vector<std::int64_t>& cells, const std::vector<double>& coordinates,
-                   const std::vector<std::int32_t>& region) const;
-  void read_steps(long last_step, const std::vector<std::int64_t>& cells, const std::vector<double>& coordinates);
+  struct Nothing {};
+  FieldsWriter(Nothing, MPI_Comm comm, const std::string& folder, const mesh::Mesh& parent);
+  std::string path(const char* name) const { return folder_ + "/" + name; }
+  void read_steps(long last_step);
+  void describe(long step, double time, const std::vector<XdmfField>& fields);
   void write_description() const;
 
   MPI_Comm comm_;
   std::string folder_;
   const mesh::Mesh* parent_;
-  std::vector<Step> steps_;   ///< rank 0 only
+  XdmfMesh shape_;
+  std::vector<Step> steps_;  ///< rank 0 only; numbers rise
 };
 
 }  // namespace vocalis::io
