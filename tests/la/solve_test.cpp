@@ -1,0 +1,91 @@
+#include "core/la/solve.hpp"
+
+#include <cmath>
+
+#include "tests/all_ranks.hpp"
+#include "tests/la/chain.hpp"
+
+using namespace vocalis;
+using namespace vocalis::la;
+
+namespace {
+
+/// The chain with its first point held and a unit load at its last: u_i = i.
+struct PulledChain {
+  Chain chain;
+  AssembledMatrix matrix = AssembledMatrix(chain.layout, chain.rows, 2, chain.ends(false), true);
+  PetscVector load = create_vector(MPI_COMM_WORLD, chain.layout.num_owned());
+  PetscVector displacement = create_vector(MPI_COMM_WORLD, chain.layout.num_owned());
+
+  PulledChain() {
+    matrix.assemble(chain.springs);
+    const OwnedValues values(load.get());
+    const PetscInt last = chain.num_points - 1 - chain.layout.offset();
+    if (last >= 0 && last < chain.layout.num_owned()) values[last] = 1;
+  }
+  double largest_error() const {
+    const ReadValues values(displacement.get());
+    double error = 0;
+    for (PetscInt i = 0; i < chain.layout.num_owned(); ++i) {
+      error = std::max(error, std::abs(values[i] - static_cast<double>(chain.layout.offset() + i)));
+    }
+    return base::largest(MPI_COMM_WORLD, error);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a Krylov solver solves, reports its iterations, and needs none from the answer") {
+  PulledChain pulled;
+  const PetscLinearSolver solver = create_linear_solver(MPI_COMM_WORLD, {.prefix = "test_chain_"});
+  base::check(KSPSetOperators(solver.get(), pulled.matrix.get(), pulled.matrix.get()));
+  const SolveReport report = solve(solver.get(), pulled.load.get(), pulled.displacement.get());
+  CHECK(report.converged);
+  CHECK(report.iterations > 0);
+  CHECK(report.iterations <= pulled.chain.num_points);
+  CHECK(report.reason.empty());
+  CHECK(pulled.largest_error() < 1e-8);
+  const SolveReport again = solve(solver.get(), pulled.load.get(), pulled.displacement.get());
+  CHECK(again.converged);
+  CHECK(again.iterations <= 1);
+}
+
+TEST_CASE("a solver that runs out of iterations says so and does not throw") {
+  PulledChain pulled;
+  const PetscLinearSolver solver =
+      create_linear_solver(MPI_COMM_WORLD, {.prefix = "test_short_", .largest_iterations = 1});
+  base::check(KSPSetOperators(solver.get(), pulled.matrix.get(), pulled.matrix.get()));
+  const SolveReport report = solve(solver.get(), pulled.load.get(), pulled.displacement.get());
+  CHECK_FALSE(report.converged);
+  CHECK_FALSE(report.reason.empty());
+}
+
+TEST_CASE("a direct solver solves, and follows the matrix when it changes") {
+  for (const bool symmetric : {false, true}) {
+    PulledChain pulled;
+    const PetscLinearSolver solver = create_direct_solver(MPI_COMM_WORLD, "test_direct_", symmetric);
+    base::check(KSPSetOperators(solver.get(), pulled.matrix.get(), pulled.matrix.get()));
+    const SolveReport report = solve(solver.get(), pulled.load.get(), pulled.displacement.get());
+    CHECK(report.converged);
+    CHECK(pulled.largest_error() < 1e-12 * pulled.chain.num_points);
+    // Twice the stiffness and twice the load: the same displacement, so an old factor would show.
+    std::vector<double> stiffer = pulled.chain.springs;
+    for (double& value : stiffer) value *= 2;
+    pulled.matrix.assemble(stiffer);
+    base::check(VecScale(pulled.load.get(), 2));
+    CHECK(solve(solver.get(), pulled.load.get(), pulled.displacement.get()).converged);
+    CHECK(pulled.largest_error() < 1e-12 * pulled.chain.num_points);
+  }
+}
+
+TEST_CASE("a singular matrix is reported, not thrown") {
+  const Chain chain;
+  AssembledMatrix matrix(chain.layout, chain.rows, 2, {});
+  matrix.assemble(std::vector<double>(chain.springs.size(), 0.0));
+  const PetscVector load = create_vector(MPI_COMM_WORLD, chain.layout.num_owned());
+  const PetscVector solution = create_vector(MPI_COMM_WORLD, chain.layout.num_owned());
+  base::check(VecSet(load.get(), 1));
+  const PetscLinearSolver solver = create_direct_solver(MPI_COMM_WORLD, "test_singular_", false);
+  base::check(KSPSetOperators(solver.get(), matrix.get(), matrix.get()));
+  CHECK_FALSE(solve(solver.get(), load.get(), solution.get()).converged);
+}
