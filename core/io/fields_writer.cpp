@@ -54,13 +54,23 @@ GatheredMesh gather_mesh(const mesh::Mesh& mesh) {
           gather_to_first<std::int32_t>(mesh.comm, region)};
 }
 
+/// Gives a whole temporary file its name at once, so that a reader never sees half of it.
+void rename_whole(const std::string& temporary, const std::string& path) {
+  if (std::rename(temporary.c_str(), path.c_str()) == 0) return;
+  const std::string reason = std::strerror(errno);
+  std::remove(temporary.c_str());
+  throw_not_written(path, reason);
+}
+
 void create_fields(const std::string& path, const mesh::Mesh& parent, const GatheredMesh& mesh) {
-  Hdf5Handle file = create_hdf5(path);
+  const std::string temporary = path + ".part";
+  Hdf5Handle file = create_hdf5(temporary);
   write_dataset(file, "/mesh/cells", mesh.cells, {mesh.region.size(), static_cast<hsize_t>(parent.dimension + 1)});
   write_dataset(file, "/mesh/coordinates", mesh.coordinates, {mesh.coordinates.size() / 3, 3});
   const Hdf5Handle region = write_dataset(file, "/mesh/region", mesh.region, {mesh.region.size()});
   write_attribute(region, "region_names", fmt::format("{}", fmt::join(parent.region_names, ",")));
   file.close_file();
+  rename_whole(temporary, path);
 }
 
 void check_mesh(hid_t file, const std::string& path, const GatheredMesh& mesh) {
@@ -87,16 +97,32 @@ std::vector<XdmfField> fields_of_group(hid_t file, const std::string& name) {
   return fields;
 }
 
-/// Replaces a text file at once, so that a reader never sees half of it.
+/// Adds the group of a step. The group gets its name when all of it is in the file, so that a process that is killed
+/// meanwhile leaves a file without this step; only the naming, a few small writes, is not safe.
+void add_step(Hdf5Handle& file, const std::string& name, double time, const std::vector<XdmfField>& fields,
+              const std::vector<std::vector<double>>& values) {
+  const Hdf5Handle group = create_nameless_group(file);
+  write_attribute(group, "time", time);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const hsize_t width = fields[i].components;
+    std::vector<hsize_t> shape = {values[i].size() / width};
+    if (width > 1) shape.push_back(width);
+    write_dataset(group, fields[i].name, values[i], shape);
+  }
+  file.flush_file();
+  if (has_object(file, name)) remove_object(file, name);
+  name_group(group, file, name);
+}
+
 void replace_text(const std::string& path, const std::string& text) {
   const std::string temporary = path + ".part";
   errno = 0;
-  if (!(std::ofstream(temporary, std::ios::binary) << text << std::flush) ||
-      std::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (!(std::ofstream(temporary, std::ios::binary) << text << std::flush)) {
     const std::string reason = std::strerror(errno);
     std::remove(temporary.c_str());
     throw_not_written(path, reason);
   }
+  rename_whole(temporary, path);
 }
 
 }  // namespace
@@ -112,6 +138,7 @@ FieldsWriter::FieldsWriter(MPI_Comm comm, const std::string& folder, const mesh:
   const GatheredMesh mesh = gather_mesh(parent);
   base::on_first_rank(comm, [&] {
     const QuietHdf5 quiet;
+    std::remove(path("fields.xdmf").c_str());  // it describes the old file
     try {
       create_fields(path("fields.h5"), parent, mesh);
     } catch (const Hdf5Error& error) {
@@ -185,16 +212,9 @@ void FieldsWriter::write(long step, double time, const std::vector<NamedValues>&
   }
   base::on_first_rank(comm_, [&] {
     const QuietHdf5 quiet;
-    const std::string name = "/" + step_group(step);
     try {
       Hdf5Handle file = open_hdf5(path("fields.h5"), H5F_ACC_RDWR);
-      if (has_object(file, name)) remove_object(file, name);
-      write_attribute(create_group(file, name), "time", time);
-      for (std::size_t i = 0; i < gathered.size(); ++i) {
-        std::vector<hsize_t> shape = {static_cast<hsize_t>(shape_.num_vertices)};
-        if (described[i].components == 3) shape.push_back(3);
-        write_dataset(file, name + "/" + described[i].name, gathered[i], shape);
-      }
+      add_step(file, "/" + step_group(step), time, described, gathered);
       file.close_file();
     } catch (const Hdf5Error& error) {
       throw_not_written(path("fields.h5"), error.what());

@@ -96,8 +96,10 @@ Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
   return *this;
 }
 
+void Hdf5Handle::flush_file() { require(H5Fflush(id_, H5F_SCOPE_GLOBAL) >= 0, "the disk did not take all bytes"); }
+
 void Hdf5Handle::close_file() {
-  require(H5Fflush(id_, H5F_SCOPE_GLOBAL) >= 0, "the disk did not take all bytes");
+  flush_file();
   require(close_(std::exchange(id_, H5I_INVALID_HID)) >= 0, "the file could not be closed");
 }
 
@@ -111,8 +113,12 @@ Hdf5Handle create_hdf5(const std::string& path, std::uint64_t first_block) {
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, unlocked()), H5Fclose, "the file was not made"};
 }
 
-Hdf5Handle create_group(hid_t file, const std::string& name) {
-  return {H5Gcreate2(file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name + " was not made"};
+Hdf5Handle create_nameless_group(hid_t file) {
+  return {H5Gcreate_anon(file, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "a group was not made"};
+}
+
+void name_group(hid_t group, hid_t file, const std::string& name) {
+  require(H5Olink(group, file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0, name + " was not named");
 }
 
 template <class T>

@@ -37,7 +37,9 @@ class Hdf5Handle {
   Hdf5Handle(Hdf5Handle&& other) noexcept;
   Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
   operator hid_t() const { return id_; }
-  /// Writes what is left and closes a file now, so that a failure is known.
+  /// Hands all bytes of a file to the operating system.
+  void flush_file();
+  /// Flushes and closes a file now, so that a failure is known.
   void close_file();
 
  private:
@@ -49,7 +51,9 @@ class Hdf5Handle {
 Hdf5Handle open_hdf5(const std::string& path, unsigned mode);
 Hdf5Handle create_hdf5(const std::string& path, std::uint64_t first_block = 0);
 
-Hdf5Handle create_group(hid_t file, const std::string& name);
+/// A group that has no name yet, and its name. It is lost unless it gets one.
+Hdf5Handle create_nameless_group(hid_t file);
+void name_group(hid_t group, hid_t file, const std::string& name);
 
 /// Writes a whole dataset of doubles, int64 or int32. Groups in the name are made.
 template <class T>
