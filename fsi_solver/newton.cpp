@@ -8,8 +8,9 @@ namespace vocalis::fsi {
 
 namespace {
 
-/// A kept Jacobian is renewed when an iteration reduces the error by less than this.
-constexpr double slow = 0.15;
+/// A kept Jacobian is renewed when the solve would need more iterations than this at the rate of the last one: a
+/// factorisation costs about as much as four.
+constexpr double patience = 4;
 /// Beyond this growth of the error the step is given up.
 constexpr double hopeless = 1e6;
 
@@ -59,8 +60,12 @@ PetscErrorCode Newton::jacobian(SNES snes, Vec, Mat, Mat, void* context) {
     KSP linear = nullptr;
     base::check(SNESGetKSP(snes, &linear));
     const std::size_t n = self.errors_.size();
-    const bool falls_slowly = n >= 2 && self.errors_[n - 1] > slow * self.errors_[n - 2];
-    if (self.has_jacobian_ && !falls_slowly) return 0;
+    bool renew = !self.has_jacobian_;
+    if (n >= 2) {
+      const double rate = self.errors_[n - 1] / self.errors_[n - 2];
+      renew = renew || rate > 0.5 || std::log(self.errors_[n - 1] / self.tolerance_) > -patience * std::log(rate);
+    }
+    if (!renew) return 0;
     const auto scope = self.timers_.scope("flow.assemble");
     self.assembly_.jacobian();
     self.has_jacobian_ = true;

@@ -57,7 +57,7 @@ struct FlowSettings {
   std::vector<FlowBoundary> boundaries;
   std::vector<SolidMaterial> solids;
   std::array<double, 3> gravity = {0, 0, 0};  ///< body force of solids and fluid [m/s^2]
-  double newton_tolerance = 1e-8;             ///< relative, per field and region
+  double newton_tolerance = 1e-6;             ///< relative, per field and region
   int newton_iterations = 15;                 ///< a step that needs more is rejected and halved
   double backflow_stabilisation = 0.5;        ///< weight of -ρ (v·n)_- v·w at outlets, in [0, 1]
   double mesh_stiffening = 1.0;               ///< exponent of 1 / volume in the elastic mesh smoother
