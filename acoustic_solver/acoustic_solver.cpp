@@ -187,16 +187,16 @@ bool AcousticSolver::advance_sub_step(const SubStep& step, AdvanceReport& report
   for (double& value : increment) value *= theta;
   std::vector<double> right_hand_side = fixed, convection(num_vertices, 0.0), difference, middle_pressure, scaled;
   const auto update_convection = [&] {
+    middle_pressure = state_.p;
     for (std::size_t v = 0; v < num_vertices; ++v) {
-      potential[v] = state_.psi[v] + b * (state_.p[v] + increment[v]) + theta * step.dt * convection[v];
+      middle_pressure[v] += increment[v];
+      potential[v] = state_.psi[v] + b * middle_pressure[v] + theta * step.dt * convection[v];
     }
-    wave.potential_convection(potential, convection);
+    wave.potential_convection(potential, middle_pressure, convection);
   };
   if (step.moves) update_convection();
   for (int pass = 0;; ++pass) {
     if (step.moves) {
-      middle_pressure = state_.p;
-      for (std::size_t v = 0; v < num_vertices; ++v) middle_pressure[v] += increment[v];
       scaled = convection;
       for (double& value : scaled) value *= theta * step.dt;
       std::vector<double> terms(num_vertices, 0.0);

@@ -74,8 +74,7 @@ std::vector<BoundaryFacet> boundary_conditions(const mesh::Mesh& mesh, const Aco
     BoundaryFacet here = condition(settings, mesh.dimension, b < count ? settings.boundaries[b] : wall);
     here.cell = facet.cell;
     here.index = facet.index;
-    const bool rigid = here.on_pressure == 0 && here.on_potential == 0 && !here.is_flux && !here.is_released;
-    if (!rigid) conditions.push_back(here);
+    conditions.push_back(here);
   }
   return conditions;
 }

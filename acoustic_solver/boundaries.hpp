@@ -15,10 +15,13 @@ struct BoundaryFacet {
   double on_potential = 0;   ///< 1 / R; 1 / (2 R) in two dimensions [1/m]
   bool is_flux = false;      ///< the source g(t) enters here
   bool is_released = false;  ///< p = 0
+
+  /// Rigid or admitting: the wall alone says what u·n is.
+  bool is_wall() const { return on_potential == 0 && !is_flux && !is_released; }
 };
 
-/// The conditions on all facets without a cell behind them, rigid ones left out. The first boundary of the settings
-/// that names a facet decides; a facet that none names gets the default wall admittance.
+/// The conditions on all facets without a cell behind them. The first boundary of the settings that names a facet
+/// decides; a facet that none names gets the default wall admittance.
 /// Throws UserError where a boundary names a group that the mesh does not have, or a negative admittance or radius.
 /// Source of the open condition: the first-order radiation condition of Bayliss & Turkel 1980, exact for an outgoing
 /// wave of one centre in three dimensions.

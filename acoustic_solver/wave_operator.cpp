@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
@@ -66,6 +67,7 @@ void WaveOperator::compute_cells(const std::vector<char>& vertex_moved) {
 void WaveOperator::set_velocity(std::span<const double> velocity) {
   velocity_.assign(velocity.begin(), velocity.end());
   moving_cells_.clear();
+  moving_walls_.clear();
   if (velocity_.empty()) return;
   const int d = mesh_->dimension;
   std::vector<char> moving(mesh_->num_vertices(), 0);
@@ -76,6 +78,15 @@ void WaveOperator::set_velocity(std::span<const double> velocity) {
     const auto vertices = mesh_->vertices_of(cell);
     if (std::any_of(vertices.begin(), vertices.end(), [&](std::int32_t v) { return moving[v]; })) {
       moving_cells_.push_back(cell);
+    }
+  }
+  for (const BoundaryFacet& facet : facets_) {
+    if (!facet.is_wall()) continue;
+    const auto vertices = mesh_->vertices_of(facet.cell);
+    for (int i = 0; i <= d; ++i) {
+      if (i == facet.index || !moving[vertices[i]]) continue;
+      moving_walls_.push_back(facet);
+      break;
     }
   }
 }
@@ -106,7 +117,9 @@ void WaveOperator::system_values(double a, double b, std::vector<double>& values
     }
   }
   for (const BoundaryFacet& facet : facets_) {
-    const double weight = (facet.on_pressure + b * facet.on_potential) * facet_weight(facet);
+    const double coefficient = facet.on_pressure + b * facet.on_potential;
+    if (coefficient == 0) continue;
+    const double weight = coefficient * facet_weight(facet);
     double* entry = values.data() + static_cast<std::size_t>(facet.cell) * n * n;
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) {
@@ -187,12 +200,13 @@ void WaveOperator::add_convection(std::span<const double> pressure, std::span<do
   }
 }
 
-void WaveOperator::potential_convection(std::span<const double> potential, std::vector<double>& rates) const {
-  // At a vertex: β times the mean of the gradients of the cells around it, each weighed by its measure. All cells
-  // count, so that a vertex between moving and still cells sees both sides.
+void WaveOperator::potential_convection(std::span<const double> potential, std::span<const double> pressure,
+                                        std::vector<double>& rates) const {
+  // Sums at a vertex: measure x gradient over its cells, measure; then over its moving walls, each weighed by area and
+  // normal velocity: normal, u·n, weight. So where a moving wall meets one that slides along itself the first decides.
   const int d = mesh_->dimension;
-  const std::size_t columns = static_cast<std::size_t>(d) + 1;
-  std::vector<double> sums(mesh_->num_vertices() * columns, 0.0);
+  const int columns = 2 * d + 3;
+  std::vector<double> sums(static_cast<std::size_t>(mesh_->num_vertices()) * columns, 0.0);
   for (const std::int32_t cell : moving_cells_) {
     const auto vertices = mesh_->vertices_of(cell);
     double slope[3] = {0, 0, 0};
@@ -200,18 +214,39 @@ void WaveOperator::potential_convection(std::span<const double> potential, std::
       for (int k = 0; k < d; ++k) slope[k] += potential[vertices[i]] * gradient(cell, i)[k];
     }
     for (const std::int32_t vertex : vertices) {
-      double* sum = sums.data() + vertex * columns;
+      double* sum = sums.data() + static_cast<std::size_t>(vertex) * columns;
       for (int k = 0; k < d; ++k) sum[k] += measures_[cell] * slope[k];
       sum[d] += measures_[cell];
     }
   }
-  space_->halo.add_to_owners(sums, d + 1);
-  space_->halo.copy_to_ghosts(sums, d + 1);
+  for (const BoundaryFacet& facet : moving_walls_) {
+    const double* inward = gradient(facet.cell, facet.index);
+    const double length = std::sqrt(std::inner_product(inward, inward + d, inward, 0.0));
+    const auto vertices = mesh_->vertices_of(facet.cell);
+    for (int i = 0; i <= d; ++i) {
+      if (i == facet.index) continue;
+      const double* beta = velocity_.data() + static_cast<std::size_t>(vertices[i]) * d;
+      const double weight = std::abs(std::inner_product(beta, beta + d, inward, 0.0)) / length * facet_weight(facet);
+      double* sum = sums.data() + static_cast<std::size_t>(vertices[i]) * columns + d + 1;
+      for (int k = 0; k < d; ++k) sum[k] -= weight * inward[k] / length;
+      sum[d] += weight * facet.on_pressure * pressure[vertices[i]];
+      sum[d + 1] += weight;
+    }
+  }
+  space_->halo.add_to_owners(sums, columns);
+  space_->halo.copy_to_ghosts(sums, columns);
   rates.assign(mesh_->num_vertices(), 0.0);
   for (std::int32_t v = 0; v < mesh_->num_vertices(); ++v) {
-    const double* sum = sums.data() + v * columns;
+    const double* sum = sums.data() + static_cast<std::size_t>(v) * columns;
     if (sum[d] == 0) continue;
-    for (int k = 0; k < d; ++k) rates[v] += velocity_[static_cast<std::size_t>(v) * d + k] * sum[k] / sum[d];
+    const double* beta = velocity_.data() + static_cast<std::size_t>(v) * d;
+    rates[v] = std::inner_product(beta, beta + d, sum, 0.0) / sum[d];
+    const double* wall = sum + d + 1;
+    const double square = std::inner_product(wall, wall + d, wall, 0.0);
+    if (square <= 1e-20 * wall[d + 1] * wall[d + 1]) continue;
+    const double normal_slope = std::inner_product(wall, wall + d, sum, 0.0) / (std::sqrt(square) * sum[d]);
+    const double beta_normal = std::inner_product(beta, beta + d, wall, 0.0) / std::sqrt(square);
+    rates[v] -= beta_normal * (normal_slope + wall[d] / wall[d + 1]);
   }
 }
 

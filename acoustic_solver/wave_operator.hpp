@@ -41,8 +41,11 @@ class WaveOperator {
   void add_flux(double g, std::span<double> sums) const;
   void add_convection(std::span<const double> pressure, std::span<double> sums) const;
 
-  /// β·∇ψ at the vertices [m^2/s^2], the lumped L2 projection; ghosts current. Collective.
-  void potential_convection(std::span<const double> potential, std::vector<double>& rates) const;
+  /// β·∇ψ at the vertices [m^2/s^2]: ∇ψ is the lumped L2 projection, but for its component normal to a moving wall,
+  /// where a mean over cells on one side alone would be of first order, and ∂ψ/∂n = -u·n is known. Ghosts current.
+  /// Collective.
+  void potential_convection(std::span<const double> potential, std::span<const double> pressure,
+                            std::vector<double>& rates) const;
 
   /// Acoustic energy ½ p²/(ρ c²) + ½ ρ |∇ψ|², over all ranks [J; J/m in two dimensions]. Collective.
   double energy(std::span<const double> pressure, std::span<const double> potential) const;
@@ -71,6 +74,7 @@ class WaveOperator {
   std::vector<double> measures_;     ///< (cells) [m^2, m^3]
   std::vector<double> velocity_;     ///< β, or empty
   std::vector<std::int32_t> moving_cells_;
+  std::vector<BoundaryFacet> moving_walls_;
 };
 
 }  // namespace vocalis::acoustic

@@ -1,0 +1,101 @@
+#include "tests/verification/acoustic_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/mpi.hpp"
+#include "core/fem/norms.hpp"
+#include "core/fem/simplex.hpp"
+#include "core/mesh/generate.hpp"
+
+namespace vocalis::acoustic::verification {
+
+mesh::Mesh box_mesh(std::array<double, 3> size, std::array<int, 3> cells) {
+  return mesh::distribute(MPI_COMM_WORLD, mesh::box(MPI_COMM_WORLD, size, cells));
+}
+
+mesh::Mesh crossed_mesh(double length, double height, int cells_along, int cells_across) {
+  mesh::WholeMesh whole;
+  whole.region_names = {"box"};
+  if (base::rank(MPI_COMM_WORLD) == 0) {
+    const std::int64_t row = cells_along + 1, first_centre = row * (cells_across + 1);
+    const auto add_point = [&](double i, double j) {
+      whole.coordinates.push_back(length * i / cells_along);
+      whole.coordinates.push_back(height * j / cells_across);
+    };
+    for (int j = 0; j <= cells_across; ++j) {
+      for (int i = 0; i <= cells_along; ++i) add_point(i, j);
+    }
+    for (int j = 0; j < cells_across; ++j) {
+      for (int i = 0; i < cells_along; ++i) {
+        const std::int64_t corner = j * row + i, centre = first_centre + j * cells_along + i;
+        const std::int64_t around[5] = {corner, corner + 1, corner + row + 1, corner + row, corner};
+        add_point(i + 0.5, j + 0.5);
+        for (int k = 0; k < 4; ++k) {
+          whole.cell_vertices.insert(whole.cell_vertices.end(), {around[k], around[k + 1], centre});
+          whole.cell_region.push_back(0);
+        }
+      }
+    }
+  }
+  return mesh::distribute(MPI_COMM_WORLD, whole);
+}
+
+State state_of(const mesh::Mesh& mesh, const SpaceTime& pressure, const SpaceTime& potential, double time) {
+  State state;
+  state.time = time;
+  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+    const std::span<const double> point(mesh.point(v), mesh.dimension);
+    state.p.push_back(pressure(point, time));
+    state.psi.push_back(potential(point, time));
+  }
+  return state;
+}
+
+fem::Load load_of(const fem::Space& space, std::span<const double> coordinates, const SpaceTime& f, double time) {
+  const mesh::Mesh& mesh = *space.mesh;
+  const int d = mesh.dimension;
+  const fem::QuadratureRule& rule = fem::quadrature(d, 2);
+  fem::Load load(space, 1);
+  std::vector<double> point(d);
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    const auto vertices = mesh.vertices_of(cell);
+    const auto corner = [&](int i) { return coordinates.data() + static_cast<std::size_t>(vertices[i]) * d; };
+    const double measure = d == 2 ? fem::simplex_geometry<2>({corner(0), corner(1), corner(2)}).measure
+                                  : fem::simplex_geometry<3>({corner(0), corner(1), corner(2), corner(3)}).measure;
+    for (std::size_t q = 0; q < rule.weights.size(); ++q) {
+      std::fill(point.begin(), point.end(), 0.0);
+      for (int i = 0; i <= d; ++i) {
+        for (int k = 0; k < d; ++k) point[k] += rule.points[q][i] * corner(i)[k];
+      }
+      const double weighed = measure * rule.weights[q] * f(point, time);
+      for (int i = 0; i <= d; ++i) load.values[vertices[i]] += weighed * rule.points[q][i];
+    }
+  }
+  load.add_to_owners();
+  return load;
+}
+
+double relative_error(const AcousticSolver& solver, const SpaceTime& exact) {
+  const double time = solver.state().time;
+  const auto at_time = [&](std::span<const double> point, std::span<double> values) { values[0] = exact(point, time); };
+  fem::Field zero(solver.space(), 1);
+  return fem::l2_error(solver.pressure(), at_time) / fem::l2_error(zero, at_time);
+}
+
+double lowest_order(const std::vector<double>& errors) {
+  double lowest = 100;
+  for (std::size_t i = 1; i < errors.size(); ++i) lowest = std::min(lowest, std::log2(errors[i - 1] / errors[i]));
+  return lowest;
+}
+
+void print_errors(const char* title, const std::vector<double>& errors) {
+  if (base::rank(MPI_COMM_WORLD) != 0) return;
+  fmt::print("  {:58} ", title);
+  for (const double error : errors) fmt::print(" {:.2e}", error);
+  fmt::print("  order {:.2f}\n", errors.size() > 1 ? std::log2(errors[errors.size() - 2] / errors.back()) : 0.0);
+}
+
+}  // namespace vocalis::acoustic::verification
