@@ -60,14 +60,18 @@ Assembly::Assembly(const Continuum& continuum, const FlowSettings& settings, con
                     std::vector<double>(cells), std::vector<double>(cells * d), std::vector<double>(cells * d)};
 }
 
-void Assembly::begin_step(const State& state, const Stage& stage) {
+void Assembly::begin_step(const State& state, const Stage& stage, Vec unknowns) {
   state_ = &state;
   stage_ = stage;
+  first_guess(unknowns);
+  follow(unknowns);
   if (continuum_.mesh->dimension == 2) {
     stabilise<2>();
   } else {
     stabilise<3>();
   }
+  const la::OwnedValues values(unknowns);
+  layout_.copy_owned_to_system(2, gradient_.values, values.data());
 }
 
 void Assembly::first_guess(Vec unknowns) const {
@@ -92,7 +96,6 @@ void Assembly::first_guess(Vec unknowns) const {
   const la::OwnedValues values(unknowns);
   layout_.copy_owned_to_system(0, guess.values, values.data());
   layout_.copy_owned_to_system(1, state_->pressure.values, values.data());
-  layout_.copy_owned_to_system(2, gradient_.values, values.data());
 }
 
 void Assembly::follow(Vec unknowns) {
@@ -216,40 +219,29 @@ double facet_mass(int a, int b) {
 template <int D>
 void Assembly::stabilise() {
   const mesh::Mesh& mesh = *continuum_.mesh;
-  const State& now = *state_;
-  // Velocity at the stage by extrapolation; the mesh velocity is the last step's.
-  const double ahead = now.last_dt > 0 ? stage_.weight * stage_.dt / now.last_dt : 0;
   fem::Load streams(continuum_.velocity_space, D + 1);
   fem::Load slopes(continuum_.pressure_space, D + 1);
+  CellInput<D> in{};
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     const std::int32_t solid = continuum_.cell_solid[cell];
     stabilisation_.pressure[cell] = stabilisation_.stream[cell] = stabilisation_.divergence[cell] = 0;
     if (!continuum_.has_pressure(cell)) continue;
     const auto vertices = mesh.vertices_of(cell);
-    double points[D + 1][D], velocity[D + 1][D];
-    std::array<const double*, D + 1> corners;
+    gather<D>(cell, in);
+    const auto& [g, measure] = in.geometry;
     double* c = stabilisation_.advection.data() + static_cast<std::size_t>(cell) * D;
     std::fill(c, c + D, 0.0);
     for (int a = 0; a <= D; ++a) {
-      corners[a] = points[a];
-      for (int k = 0; k < D; ++k) {
-        const std::size_t i = static_cast<std::size_t>(vertices[a]) * D + k;
-        const double v = now.velocity.values[i], moved = now.displacement.values[i];
-        points[a][k] = mesh.coordinates[i] + (solid < 0 && moves_ ? moved : 0.0);
-        velocity[a][k] = v + ahead * (v - now.velocity_before.values[i]);
-        c[k] += velocity[a][k] / (D + 1);
-        if (moves_ && now.last_dt > 0) c[k] -= (moved - now.displacement_before.values[i]) / now.last_dt / (D + 1);
-      }
+      for (int k = 0; k < D; ++k) c[k] += in.slip[a][k] / (D + 1);
     }
-    const auto [g, measure] = fem::simplex_geometry<D>(corners);
     double squares = 0, crossing = 0, speed = 0, l[D][D] = {}, slope[D] = {};
     for (int a = 0; a <= D; ++a) {
       double along = 0;
       for (int k = 0; k < D; ++k) {
         squares += g[a][k] * g[a][k];
         along += c[k] * g[a][k];
-        slope[k] += now.pressure.values[continuum_.pressure_space.dofs_of(cell)[a]] * g[a][k];
-        for (int i = 0; i < D; ++i) l[i][k] += velocity[a][i] * g[a][k];
+        slope[k] += in.pressure[a] * g[a][k];
+        for (int i = 0; i < D; ++i) l[i][k] += in.velocity[a][i] * g[a][k];
       }
       crossing += std::abs(along);
     }

@@ -42,10 +42,9 @@ class Assembly {
   const la::SystemLayout& layout() const { return layout_; }
   Mat matrix() const { return matrix_->get(); }
 
-  /// Freezes what a step takes from the state. Collective.
-  void begin_step(const State& state, const Stage& stage);
-  /// Where Newton's method starts: velocity extrapolated, essential values imposed. Collective.
-  void first_guess(Vec unknowns) const;
+  /// Sets the unknowns to where Newton's method starts, velocity extrapolated and essential values imposed, and freezes
+  /// the step's stabilisation there. Collective.
+  void begin_step(const State& state, const Stage& stage, Vec unknowns);
   /// Collective.
   ResidualSize residual(Vec unknowns, Vec result);
   /// At the unknowns of the last `residual`. Collective.
@@ -57,6 +56,7 @@ class Assembly {
   const fem::Field& pressure() const { return pressure_; }
 
  private:
+  void first_guess(Vec unknowns) const;
   void follow(Vec unknowns);
   void find_forces();
   template <int D>

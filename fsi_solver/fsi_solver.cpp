@@ -59,8 +59,7 @@ StepReport FsiSolver::try_step(double dt) {
   const auto scope = in.timers.scope("flow.newton");
   const Stage stage = make_stage(in.time_settings, dt, in.state.last_dt);
   in.tried_dt = 0;
-  in.assembly->begin_step(in.state, stage);
-  const NewtonReport newton = in.newton->solve(stage);
+  const NewtonReport newton = in.newton->solve(in.state, stage);
   StepReport report;
   report.converged = newton.converged;
   report.newton_iterations = report.linear_iterations = newton.iterations;

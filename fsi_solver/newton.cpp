@@ -92,13 +92,13 @@ PetscErrorCode Newton::test(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNE
   return 0;
 }
 
-NewtonReport Newton::solve(const Stage& stage) {
+NewtonReport Newton::solve(const State& state, const Stage& stage) {
   if (std::abs(stage.rate - jacobian_stage_.rate) > 1e-3 * stage.rate) has_jacobian_ = false;
   jacobian_stage_ = stage;
   jacobians_ = 0;
   errors_.clear();
   failure_ = nullptr;
-  assembly_.first_guess(unknowns_.get());
+  assembly_.begin_step(state, stage, unknowns_.get());
   const PetscErrorCode code = SNESSolve(solver_.get(), nullptr, unknowns_.get());
   if (failure_) std::rethrow_exception(failure_);
   base::check(code);

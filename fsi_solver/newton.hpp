@@ -28,8 +28,8 @@ class Newton {
   Newton(const Newton&) = delete;
   Newton& operator=(const Newton&) = delete;
 
-  /// From `first_guess`; the result stays in the assembly (end_velocity, ...). Collective.
-  NewtonReport solve(const Stage& stage);
+  /// One step from a state; the result stays in the assembly (end_velocity, ...). Collective.
+  NewtonReport solve(const State& state, const Stage& stage);
   /// Forgets the kept Jacobian, so that the next step depends on the state alone.
   void drop_jacobian() { has_jacobian_ = false; }
 

@@ -1,0 +1,146 @@
+#include "tests/verification/flow_manufactured.hpp"
+
+namespace vocalis::fsi {
+
+namespace {
+
+using namespace test;
+
+constexpr double pi = std::numbers::pi;
+
+/// A plane vortex, v = F(t) (sin kx cos ky, -cos kx sin ky), with a pressure of its own shape, and the force it needs.
+struct Vortex {
+  double density = 1, viscosity = 0.1, k = pi;
+  double phase(double t) const { return std::cos(2 * t) + 0.5; }
+  double rate(double t) const { return -2 * std::sin(2 * t); }
+  Point velocity(const Point& x, double t) const {
+    return {phase(t) * std::sin(k * x[0]) * std::cos(k * x[1]), -phase(t) * std::cos(k * x[0]) * std::sin(k * x[1]), 0};
+  }
+  double level(double t) const { return 1 + std::sin(3 * t); }
+  Point pressure(const Point& x, double t) const {
+    return {level(t) * (std::cos(k * x[0]) * std::sin(0.5 * k * x[1]) + x[0]), 0, 0};
+  }
+  Point force(const Point& x, double t) const {
+    const double f = phase(t), g = level(t);
+    const Point shape = velocity(x, t);
+    const Point slope = {g * (-k * std::sin(k * x[0]) * std::sin(0.5 * k * x[1]) + 1),
+                         g * 0.5 * k * std::cos(k * x[0]) * std::cos(0.5 * k * x[1]), 0};
+    const Point convection = {0.5 * k * f * f * std::sin(2 * k * x[0]), 0.5 * k * f * f * std::sin(2 * k * x[1]), 0};
+    Point result = {0, 0, 0};
+    for (int i = 0; i < 2; ++i) {
+      result[i] = density * (shape[i] * rate(t) / f + convection[i]) + 2 * viscosity * k * k * shape[i] + slope[i];
+    }
+    return result;
+  }
+};
+
+/// A motion of the mesh that the flow knows nothing of.
+Point swaying(const Point& x, double t) {
+  const double a = 0.08 * std::sin(4 * t);
+  return {a * std::sin(pi * x[0]) * std::sin(2 * pi * x[1]), -a * std::sin(2 * pi * x[0]) * std::sin(pi * x[1]), 0};
+}
+
+/// Nodal values at the end of a run to time 0.4, for differences between time steps on one mesh.
+std::vector<double> vortex_at_end(int steps, TimeSettings scheme, bool moving, const mesh::Mesh& mesh) {
+  const Vortex vortex;
+  FlowSettings settings;
+  settings.density = vortex.density;
+  settings.viscosity = vortex.viscosity;
+  settings.boundaries = velocity_all_around();
+  settings.newton_tolerance = 1e-12;
+  Prescribed prescribed;
+  prescribed.velocity = [&](const Point& x, double t) { return vortex.velocity(x, t); };
+  prescribed.fluid_force = [&](const Point& x, double t) { return vortex.force(x, t); };
+  if (moving) prescribed.mesh_displacement = swaying;
+  FsiSolver solver(mesh, settings, scheme, prescribed);
+  start_from(solver, prescribed.velocity, prescribed.mesh_displacement);
+  const StepReport report = run(solver, 0.4 / steps, steps);
+  INFO(report.reason << " " << report.residual);
+  REQUIRE_ON_ALL_RANKS(report.converged);
+  return solver.state().velocity.values;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(base::sum(MPI_COMM_WORLD, sum));
+}
+
+Errors vortex_errors(int cells, double dt, int steps, TimeSettings scheme, bool moving) {
+  const Vortex vortex;
+  const mesh::Mesh mesh = box_of("fluid", {1, 1, 0}, {cells, cells, 0});
+  FlowSettings settings;
+  settings.density = vortex.density;
+  settings.viscosity = vortex.viscosity;
+  settings.boundaries = velocity_all_around();
+  settings.newton_tolerance = 1e-11;
+  Prescribed prescribed;
+  prescribed.velocity = [&](const Point& x, double t) { return vortex.velocity(x, t); };
+  prescribed.fluid_force = [&](const Point& x, double t) { return vortex.force(x, t); };
+  if (moving) prescribed.mesh_displacement = swaying;
+  FsiSolver solver(mesh, settings, scheme, prescribed);
+  start_from(solver, prescribed.velocity, prescribed.mesh_displacement);
+  const StepReport report = run(solver, dt, steps);
+  INFO(report.reason << " " << report.residual);
+  REQUIRE_ON_ALL_RANKS(report.converged);
+  const double time = solver.time();
+  const double pressure_time = scheme.scheme == TimeScheme::theta ? time - (1 - scheme.theta) * dt : time;
+  const std::vector<double> x = solver.current_coordinates();
+  std::vector<double> pressure_x = mesh.coordinates;
+  for (std::int32_t v = 0; v < mesh.num_vertices() && moving; ++v) {
+    for (int k = 0; k < 2; ++k) {
+      const double now = solver.state().displacement.at(v)[k], before = solver.state().displacement_before.at(v)[k];
+      pressure_x[2 * v + k] += now - (time - pressure_time) / dt * (now - before);
+    }
+  }
+  Errors errors;
+  const auto vertex = [&](std::int32_t cell, int a) { return mesh.vertices_of(cell)[a]; };
+  const auto dof = [&](std::int32_t cell, int a) { return solver.pressure_space().dofs_of(cell)[a]; };
+  errors.velocity = l2_error(
+      mesh, x, vertex, solver.state().velocity, [&](const Point& p) { return vortex.velocity(p, time); }, false);
+  errors.pressure = l2_error(
+      mesh, pressure_x, dof, solver.state().pressure, [&](const Point& p) { return vortex.pressure(p, pressure_time); },
+      true);
+  return errors;
+}
+
+constexpr TimeSettings midpoint = {.scheme = TimeScheme::theta, .theta = 0.5};
+constexpr TimeSettings backward = {.scheme = TimeScheme::theta, .theta = 1};
+constexpr TimeSettings bdf2 = {.scheme = TimeScheme::bdf2};
+
+double order(double coarse, double fine) { return std::log2(coarse / fine); }
+
+}  // namespace
+
+TEST_CASE("P1P1 flow converges with order two in space, on fixed and on moving meshes") {
+  for (const bool moving : {false, true}) {
+    Errors last;
+    for (const int cells : {8, 16, 32}) {
+      const Errors errors = vortex_errors(cells, 0.004 * 16 / cells, 5 * cells / 2, bdf2, moving);
+      INFO((moving ? "moving " : "fixed ")
+           << cells << " velocity " << errors.velocity << " pressure " << errors.pressure << " orders "
+           << order(last.velocity, errors.velocity) << " " << order(last.pressure, errors.pressure));
+      if (cells == 32) {
+        CHECK(order(last.velocity, errors.velocity) == Approx(2).margin(0.2));
+        CHECK(order(last.pressure, errors.pressure) > 1.3);
+      }
+      last = errors;
+    }
+  }
+}
+
+TEST_CASE("flow converges in time with the order of its scheme, on fixed and on moving meshes") {
+  const mesh::Mesh mesh = box_of("fluid", {1, 1, 0}, {8, 8, 0});
+  for (const bool moving : {false, true}) {
+    for (const auto& [scheme, expected] : {std::pair(midpoint, 2), std::pair(backward, 1), std::pair(bdf2, 2)}) {
+      const std::vector<double> reference = vortex_at_end(256, expected == 1 ? midpoint : scheme, moving, mesh);
+      const double coarse = distance(vortex_at_end(32, scheme, moving, mesh), reference);
+      const double fine = distance(vortex_at_end(64, scheme, moving, mesh), reference);
+      INFO((moving ? "moving" : "fixed") << " coarse " << coarse << " fine " << fine << " order "
+                                         << order(coarse, fine));
+      CHECK(order(coarse, fine) == Approx(expected).margin(0.2));
+    }
+  }
+}
+
+}  // namespace vocalis::fsi
