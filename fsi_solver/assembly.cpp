@@ -161,6 +161,7 @@ void Assembly::gather(std::int32_t cell, Cell& in) const {
   const std::int32_t solid = continuum_.cell_solid[cell];
   const std::int32_t* vertices = mesh.cell_vertices.data() + static_cast<std::size_t>(cell) * (D + 1);
   const std::int32_t* dofs = continuum_.pressure_space.cell_dofs.data() + static_cast<std::size_t>(cell) * (D + 1);
+  in.largest_rate = stage_.rate;
   in.density = solid < 0 ? settings_.density : continuum_.solids[solid].density;
   const std::vector<double>& force = solid < 0 ? fluid_force_ : solid_force_;
   double points[D + 1][D];
@@ -325,7 +326,6 @@ ResidualSize Assembly::sum_residual() {
     const std::int32_t solid = continuum_.cell_solid[cell];
     gather<D>(cell, in);
     const CellStabilisation<D> stabilisation = of_cell<D>(stabilisation_, cell);
-    double smallest_force = 0;
     if (solid < 0) {
       if (!(in.geometry.measure > 0)) inverted = 1;
       fluid_residual<D>(in, stabilisation, settings_.viscosity, out);
@@ -336,15 +336,13 @@ ResidualSize Assembly::sum_residual() {
         inverted = 1;
         continue;
       }
-      // Stress comes from F - F⁻ᵀ, whose rounding is far above that of small strains.
-      smallest_force = 1e-6 * material.shear * std::pow(in.geometry.measure, (D - 1.0) / D);
     }
     const auto vertices = mesh.vertices_of(cell);
     const auto dofs = continuum_.pressure_space.dofs_of(cell);
     for (int a = 0; a <= D; ++a) {
       double& size = sizes[1 + continuum_.vertex_solid[vertices[a]]];
       double* force = momentum_.at(vertices[a]);
-      size += smallest_force * smallest_force;
+      size += out.momentum_size * out.momentum_size;
       for (int k = 0; k < D; ++k) {
         const double value = out.values[Unknowns::velocity(a, k)];
         force[k] += value;

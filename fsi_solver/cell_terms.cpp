@@ -39,6 +39,16 @@ double mean(const std::array<double, D + 1>& values) {
   return sum / (D + 1);
 }
 
+/// What counts as small beside a term whose parts cancel.
+constexpr double uncancelled = 1e-3;
+
+template <int D>
+double magnitude(const Corners<D>& x) {
+  double sum = 0;
+  for (int a = 0; a <= D; ++a) sum += dot<D>(x[a], x[a]);
+  return std::sqrt(sum);
+}
+
 /// The subscales of the pressure, which fluid and incompressible solids share.
 template <int D>
 void add_pressure_residual(const CellInput<D>& in, double tau, CellResidual<D>& out) {
@@ -46,12 +56,12 @@ void add_pressure_residual(const CellInput<D>& in, double tau, CellResidual<D>& 
   const auto& g = in.geometry.gradient;
   const double weight = tau * in.geometry.measure;
   std::array<double, D> slope{}, projected{};
-  double magnitude = 0;
+  double size = 0;
   for (int a = 0; a <= D; ++a) {
     for (int k = 0; k < D; ++k) {
       slope[k] += in.pressure[a] * g[a][k];
       projected[k] += in.gradient[a][k] / (D + 1);
-      magnitude += std::abs(in.pressure[a] * g[a][k]);
+      size += std::abs(in.pressure[a] * g[a][k]);
     }
   }
   for (int a = 0; a <= D; ++a) {
@@ -60,8 +70,8 @@ void add_pressure_residual(const CellInput<D>& in, double tau, CellResidual<D>& 
       out.values[Unknowns::gradient(a, k)] = weight / (D + 1) * (in.gradient[a][k] - slope[k]);
     }
   }
-  out.mass_size += weight * magnitude * std::sqrt(dot<D>(g[0], g[0]));
-  out.gradient_size = weight / (D + 1) * magnitude;
+  out.mass_size += weight * size * std::sqrt(dot<D>(g[0], g[0]));
+  out.gradient_size = weight / (D + 1) * size;
 }
 
 template <int D>
@@ -126,7 +136,10 @@ void fluid_residual(const CellInput<D>& in, const CellStabilisation<D>& stabilis
     }
     out.values[Unknowns::pressure(a)] = measure / (D + 1) * divergence;
   }
-  out.mass_size = measure / (D + 1) * std::sqrt(contraction<D>(l, l));
+  const double rate_of_mass = measure / (D + 1) * magnitude<D>(in.velocity);
+  out.momentum_size = uncancelled * in.density * rate_of_mass * in.largest_rate;
+  out.mass_size =
+      measure / (D + 1) * std::sqrt(contraction<D>(l, l)) + uncancelled * rate_of_mass * std::sqrt(dot<D>(g[0], g[0]));
   add_pressure_residual<D>(in, stabilisation.pressure, out);
 }
 
@@ -181,11 +194,16 @@ bool solid_residual(const CellInput<D>& in, const CellStabilisation<D>& stabilis
       out.values[Unknowns::velocity(a, i)] = measure * sum;
     }
   }
+  // Stress comes from F - F⁻ᵀ, whose rounding is far above that of small strains.
+  out.momentum_size = uncancelled * (in.density * measure / (D + 1) * magnitude<D>(in.velocity) * in.largest_rate +
+                                     uncancelled * solid.shear * measure * std::sqrt(dot<D>(g[0], g[0])));
   out.mass_size = out.gradient_size = 0;
   if (!incompressible) return true;
   const double growth = contraction<D>(cofactor<D>(point.f), point.rate) + recovery * (j - 1);
   for (int a = 0; a <= D; ++a) out.values[Unknowns::pressure(a)] = measure / (D + 1) * growth;
-  out.mass_size = measure / (D + 1) * (std::sqrt(contraction<D>(point.rate, point.rate)) + recovery * std::abs(j - 1));
+  out.mass_size = measure / (D + 1) *
+                  (std::sqrt(contraction<D>(point.rate, point.rate)) + recovery * std::abs(j - 1) +
+                   uncancelled * magnitude<D>(in.velocity) * std::sqrt(dot<D>(g[0], g[0])));
   add_pressure_residual<D>(in, stabilisation.pressure, out);
   return true;
 }

@@ -32,6 +32,7 @@ struct CellInput {
   Corners<D> displacement;             ///< solid: d_s [m]; fluid: unused
   std::array<double, D + 1> pressure;  ///< [Pa]
   Corners<D> gradient;                 ///< projected pressure gradient [Pa/m]
+  double largest_rate = 0;             ///< of the time scheme, 1 / dt or so [1/s]; for sizes
   double density = 0;                  ///< [kg/m^3]
 };
 
@@ -45,10 +46,12 @@ struct CellStabilisation {
   std::array<double, D> projection = {};  ///< projected (c·∇)v, the cell's mean [m/s^2]
 };
 
-/// A cell's part of the residual, and sizes that say what is small there (the sum of the terms' magnitudes).
+/// A cell's part of the residual, and sizes that say what is small there: the terms' magnitudes, and a thousandth of
+/// what they would be if nothing in them cancelled, below which there is only rounding.
 template <int D>
 struct CellResidual {
   std::array<double, CellUnknowns<D>::count> values;
+  double momentum_size = 0;
   double mass_size = 0;
   double gradient_size = 0;
 };

@@ -15,29 +15,34 @@ void set_default_option(const std::string& name, const std::string& value) {
 
 }  // namespace
 
-void make_gathered_solver(KSP solver, const std::string& prefix) {
+void make_gathered_solver(KSP solver, const std::string& prefix, Reuse reuse) {
   MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(solver));
   const int ranks = base::size(comm);
   base::check(KSPSetOptionsPrefix(solver, prefix.c_str()));
   base::check(KSPSetType(solver, KSPPREONLY));
   PC preconditioner = nullptr;
   base::check(KSPGetPC(solver, &preconditioner));
-  std::string inner = "-" + prefix;
+  const char* package = reuse == Reuse::few_solves ? MATSOLVERMUMPS : MATSOLVERPETSC;
   if (ranks > 1) {
     base::check(PCSetType(preconditioner, PCTELESCOPE));
     base::check(PCTelescopeSetReductionFactor(preconditioner, ranks));
-    inner += "telescope_";
+    const std::string inner = "-" + prefix + "telescope_";
     set_default_option(inner + "ksp_type", KSPPREONLY);
+    set_default_option(inner + "pc_type", PCLU);
+    set_default_option(inner + "pc_factor_mat_solver_type", package);
+    if (reuse == Reuse::many_solves) set_default_option(inner + "pc_factor_mat_ordering_type", MATORDERINGND);
+  } else {
+    base::check(PCSetType(preconditioner, PCLU));
+    base::check(PCFactorSetMatSolverType(preconditioner, package));
+    if (reuse == Reuse::many_solves) base::check(PCFactorSetMatOrderingType(preconditioner, MATORDERINGND));
   }
-  set_default_option(inner + "pc_type", PCLU);
-  set_default_option(inner + "pc_factor_mat_solver_type", MATSOLVERMUMPS);
   base::check(KSPSetFromOptions(solver));
 }
 
-la::PetscLinearSolver create_gathered_solver(MPI_Comm comm, const std::string& prefix) {
+la::PetscLinearSolver create_gathered_solver(MPI_Comm comm, const std::string& prefix, Reuse reuse) {
   la::PetscLinearSolver solver;
   base::check(KSPCreate(comm, solver.put()));
-  make_gathered_solver(solver.get(), prefix);
+  make_gathered_solver(solver.get(), prefix, reuse);
   return solver;
 }
 

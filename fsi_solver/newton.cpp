@@ -35,7 +35,7 @@ Newton::Newton(Assembly& assembly, double tolerance, int largest_iterations, bas
   base::check(SNESSetCheckJacobianDomainError(snes, PETSC_FALSE));
   KSP linear = nullptr;
   base::check(SNESGetKSP(snes, &linear));
-  make_gathered_solver(linear, "flow_");
+  make_gathered_solver(linear, "flow_", Reuse::few_solves);
   base::check(SNESSetFromOptions(snes));
 }
 

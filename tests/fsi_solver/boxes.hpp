@@ -13,8 +13,9 @@ namespace vocalis::fsi::test {
 /// A box (see mesh::box) whose cells are named by where their centre is.
 inline mesh::Mesh box_of_regions(std::array<double, 3> size, std::array<int, 3> cells,
                                  const std::vector<std::string>& regions,
-                                 const std::function<int(const std::array<double, 3>&)>& region_at) {
-  mesh::WholeMesh whole = mesh::box(MPI_COMM_WORLD, size, cells);
+                                 const std::function<int(const std::array<double, 3>&)>& region_at,
+                                 MPI_Comm comm = MPI_COMM_WORLD) {
+  mesh::WholeMesh whole = mesh::box(comm, size, cells);
   const int d = whole.dimension;
   whole.region_names = regions;
   for (std::int64_t cell = 0; cell < whole.num_cells(); ++cell) {
@@ -25,7 +26,7 @@ inline mesh::Mesh box_of_regions(std::array<double, 3> size, std::array<int, 3> 
     }
     whole.cell_region[cell] = region_at(centre);
   }
-  return mesh::distribute(MPI_COMM_WORLD, whole);
+  return mesh::distribute(comm, whole);
 }
 
 inline mesh::Mesh box_of(const std::string& region, std::array<double, 3> size, std::array<int, 3> cells) {
