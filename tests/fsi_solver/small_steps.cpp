@@ -73,9 +73,9 @@ TEST_CASE("the pressure stays bounded as the step shrinks far below h² / ν") {
   const double at_scale = pressure_error(viscous_time);
   const double below = pressure_error(viscous_time / 100), far_below = pressure_error(viscous_time / 10000);
   INFO("pressure errors " << at_scale << " " << below << " " << far_below);
-  CHECK(at_scale < 0.3);
-  CHECK(below < 3 * at_scale);
-  CHECK(far_below < 1.5 * below);
+  CHECK(at_scale < 0.6);  // the viscous stress is 40 times that
+  CHECK(below < 1.1 * at_scale);
+  CHECK(far_below < 1.1 * at_scale);
 }
 
 }  // namespace vocalis::fsi
