@@ -19,12 +19,17 @@ struct Clock {
   bool done() const { return end - time <= 1e-9 * nominal_step; }
   double dt() const {
     const double step_size = nominal_step / static_cast<double>(1L << halvings);
-    // A remainder that is nearly a whole step is a whole step: no sliver at the end.
-    return end - time < step_size * (1 + 1e-9) ? end - time : step_size;
+    const double remainder = end - time;
+    // What is left is one step, or two equal ones, rather than a whole step and a sliver: rates over a sliver are noise.
+    if (remainder < step_size * (1 + 1e-9)) return remainder;
+    return remainder < 2 * step_size ? remainder / 2 : step_size;
   }
   bool can_shrink() const { return dt() / 2 >= smallest_step && halvings < 30; }
   void shrink() {
-    ++halvings;
+    const double refused = dt();
+    // The last step may be shorter than the halved one already.
+    do ++halvings;
+    while (dt() > 0.75 * refused && halvings < 30);
     ++rejected;
     accepted_in_a_row = 0;
   }

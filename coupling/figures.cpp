@@ -7,24 +7,40 @@
 #include <filesystem>
 #include <numeric>
 
+#include "acoustic_solver/driven_response.hpp"
 #include "acoustic_solver/resample.hpp"
 #include "acoustic_solver/ring_down.hpp"
 #include "acoustic_solver/voice.hpp"
 #include "core/io/series_reader.hpp"
 #include "core/io/wav.hpp"
 #include "coupling/spectra_file.hpp"
-#include "coupling/voiced_formants.hpp"
 
 namespace vocalis::coupling {
 
 namespace {
 
 constexpr double analysis_rate = 44100;  // [Hz]
+constexpr double widest_formant = 600;    // [Hz] a broader oscillation is no formant
 
 /// The part of a series from a time on.
 std::vector<double> since(const std::vector<double>& times, const std::vector<double>& values, double begin) {
   const auto first = std::lower_bound(times.begin(), times.end(), begin) - times.begin();
   return {values.begin() + first, values.end()};
+}
+
+/// A series that begins with its first step, at the analysis rate from time 0 on, when all was at rest.
+std::vector<double> from_zero(std::vector<double> times, std::vector<double> values) {
+  if (times.empty()) return {};
+  if (times.front() > 0) {
+    times.insert(times.begin(), 0.0);
+    values.insert(values.begin(), values.size() > 1 ? 2 * values[0] - values[1] : values[0]);
+  }
+  return acoustic::resample(times, values, analysis_rate);
+}
+
+std::vector<double> uniform_since(const std::vector<double>& series, double begin) {
+  const auto first = std::min(series.size(), static_cast<std::size_t>(begin * analysis_rate));
+  return {series.begin() + static_cast<std::ptrdiff_t>(first), series.end()};
 }
 
 /// When all boundary values have risen; what comes before is not voice.
@@ -72,6 +88,18 @@ void add_history(const Case& config, const io::Series& history, Figures& figures
   }
 }
 
+/// The volume flow of the first monitor of its kind, at the analysis rate from time 0 on; empty if there is none.
+std::vector<double> first_flux(const Case& config, const io::Series& history) {
+  for (const MonitorSettings& monitor : config.monitors) {
+    if (monitor.kind != MonitorKind::flux) continue;
+    for (std::size_t c = 0; c < history.columns.size(); ++c) {
+      if (!history.columns[c].starts_with(monitor.name + "_")) continue;
+      return from_zero(*history.find("time_s"), history.values[c]);
+    }
+  }
+  return {};
+}
+
 void add_formants(const std::vector<acoustic::Formant>& formants, const std::string& suffix, Figures& figures) {
   for (std::size_t i = 0; i < formants.size() && i < 5; ++i) {
     figures.values[fmt::format("F{}_Hz{}", i + 1, suffix)] = formants[i].frequency;
@@ -97,7 +125,12 @@ std::vector<Channel> channels(const Case& config) {
 Figures evaluate_run(const Case& config, const std::string& folder) {
   const std::filesystem::path run = folder;
   Figures figures;
-  if (config.flow) add_history(config, io::read_series((run / "history.csv").string()), figures);
+  std::vector<double> volume_flow;   // through the first monitor of kind flux: what the voice is made of
+  if (config.flow) {
+    const io::Series history = io::read_series((run / "history.csv").string());
+    add_history(config, history, figures);
+    volume_flow = first_flux(config, history);
+  }
   if (config.microphones.empty()) return figures;
 
   const io::Series recorded = io::read_series((run / "microphones.csv").string());
@@ -105,18 +138,23 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
   std::vector<ChannelSpectrum> spectra;
   for (const Channel& channel : channels(config)) {
     const std::vector<double>& pressure = *recorded.find(channel.column);
-    const std::vector<double> sound = acoustic::resample(times, pressure, analysis_rate);
+    const std::vector<double> sound = from_zero(times, pressure);
     io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
     ChannelSpectrum spectrum = {channel, acoustic::welch(sound, analysis_rate, 4096), {}};
     // The first microphone's formants carry the plain names F1_Hz, ...
     const std::string suffix = spectra.empty() ? "" : "." + channel.suffix;
     if (config.source) {
-      const std::vector<double> flux = acoustic::resample(times, *recorded.find(source_column), analysis_rate);
-      const auto response = acoustic::analyse_pulse_response(flux, sound, analysis_rate, {});
+      const std::vector<double> flux = from_zero(times, *recorded.find(source_column));
+      const auto response = acoustic::analyse_pulse_response(flux, sound, analysis_rate, {.maximum_bandwidth = widest_formant});
       spectrum.transfer = response.transfer;
       add_formants(response.formants, suffix, figures);
+    } else if (!volume_flow.empty()) {
+      const auto late = [&](const std::vector<double>& series) { return uniform_since(series, end_of_ramps(config)); };
+      auto response = acoustic::driven_response(late(volume_flow), late(sound), analysis_rate);
+      spectrum.transfer = std::move(response.transfer);
+      add_formants(response.formants, suffix, figures);
     } else {
-      add_formants(voiced_formants(sound, analysis_rate), suffix, figures);
+      add_formants(acoustic::formants_by_prediction(sound, analysis_rate, {}), suffix, figures);
     }
     figures.values["SPL_dB." + channel.suffix] =
         acoustic::sound_pressure_level(since(times, pressure, end_of_ramps(config)));

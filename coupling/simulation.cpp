@@ -69,11 +69,14 @@ std::vector<double> Simulation::monitor_values() const {
 
 void Simulation::drop_caches() {
   if (flow_) flow_->drop_caches();
-  for (auto& voice : voices_) voice->solver().drop_caches();
+  for (auto& voice : voices_) voice->drop_caches();
 }
 
 void Simulation::restart_from_states() {
-  if (history_) history_->begin_step();
+  if (history_) {
+    history_->begin_step();
+    for (auto& voice : voices_) voice->move_to(history_->displacement_begin());
+  }
   drop_caches();
 }
 

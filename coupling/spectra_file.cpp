@@ -25,9 +25,10 @@ double level_at(const std::vector<double>& frequency, const std::vector<double>&
 
 void write_spectra(const std::string& path, const Case& config, const std::vector<ChannelSpectrum>& spectra) {
   constexpr double highest = 10000;  // [Hz]
+  const bool has_transfer = !spectra.empty() && !spectra.front().transfer.frequency.empty();
   std::ofstream file(path);
   file << "# case: " << config.name << "\n# psd: Welch, Hann window, half overlap, dB re (20e-6 Pa)^2/Hz\n";
-  if (config.source) file << "# transfer: microphone pressure over source velocity, dB re 1 Pa s/m\n";
+  if (has_transfer) file << "# transfer: microphone pressure over the source (pulse [m/s] or volume flow), dB re 1\n";
   if (!spectra.empty()) {
     const acoustic::PowerSpectrum& first = spectra.front().power;
     file << fmt::format("# bin_width_Hz: {}\n# noise_bandwidth_Hz: {}\n# segments: {}\n", first.bin_width,
@@ -37,21 +38,21 @@ void write_spectra(const std::string& path, const Case& config, const std::vecto
   std::vector<std::vector<double>> levels, transfers;
   for (const ChannelSpectrum& spectrum : spectra) {
     file << ",psd_dB." << spectrum.channel.suffix;
-    if (config.source) file << ",transfer_dB." << spectrum.channel.suffix;
+    if (has_transfer) file << ",transfer_dB." << spectrum.channel.suffix;
     levels.push_back(acoustic::density_level(spectrum.power));
     transfers.push_back(acoustic::magnitude_level(spectrum.transfer));
   }
   file << '\n';
   // The transfer function has the finer bins, where there is one.
-  const auto& rows = config.source && !spectra.empty() ? spectra.front().transfer.frequency
-                     : spectra.empty()                 ? std::vector<double>{}
-                                                       : spectra.front().power.frequency;
-  for (const double frequency : rows) {
-    if (frequency > highest) break;
+  const double bin = spectra.empty() ? highest + 1
+                     : has_transfer  ? spectra.front().transfer.frequency[1]
+                                     : spectra.front().power.bin_width;
+  for (int row = 0; row * bin <= highest; ++row) {
+    const double frequency = row * bin;
     file << fmt::format("{:.6g}", frequency);
     for (std::size_t i = 0; i < spectra.size(); ++i) {
       file << fmt::format(",{:.4f}", level_at(spectra[i].power.frequency, levels[i], frequency));
-      if (config.source) {
+      if (has_transfer) {
         file << fmt::format(",{:.4f}", level_at(spectra[i].transfer.frequency, transfers[i], frequency));
       }
     }

@@ -49,6 +49,15 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
   return report;
 }
 
+void Voice::move_to(const fem::Field& displacement) {
+  scene_.acoustic->mesh.coordinates = moved_coordinates(displacement);
+}
+
+void Voice::drop_caches() {
+  solver_.drop_caches();
+  microphones_.follow(scene_.acoustic->mesh, true);
+}
+
 acoustic::AdvanceReport Voice::drive(double dt, const std::function<double(double)>& flux) {
   return solver_.advance(dt, {}, {.begin = nullptr, .end = nullptr, .flux = flux},
                          [this](double time) { microphones_.sample(time, solver_.state().p); });

@@ -24,6 +24,13 @@ class Voice {
   acoustic::AdvanceReport follow(const FlowView& flow, const fem::Field& displacement_begin,
                                  const fem::Field& displacement_end);
 
+  /// Takes the place that the flow's displacement [m] gives it, after the states were replaced. Collective.
+  void move_to(const fem::Field& displacement);
+
+  /// Forgets what is kept for speed and where the microphones were found: what follows depends on the state and the
+  /// mesh's place alone. Collective.
+  void drop_caches();
+
   /// Advances by dt [s] with a prescribed flux g(t) [m/s] instead of a flow. Collective.
   acoustic::AdvanceReport drive(double dt, const std::function<double(double)>& flux);
 
