@@ -16,33 +16,6 @@ mesh::Mesh box_mesh(std::array<double, 3> size, std::array<int, 3> cells) {
   return mesh::distribute(MPI_COMM_WORLD, mesh::box(MPI_COMM_WORLD, size, cells));
 }
 
-mesh::Mesh crossed_mesh(double length, double height, int cells_along, int cells_across) {
-  mesh::WholeMesh whole;
-  whole.region_names = {"box"};
-  if (base::rank(MPI_COMM_WORLD) == 0) {
-    const std::int64_t row = cells_along + 1, first_centre = row * (cells_across + 1);
-    const auto add_point = [&](double i, double j) {
-      whole.coordinates.push_back(length * i / cells_along);
-      whole.coordinates.push_back(height * j / cells_across);
-    };
-    for (int j = 0; j <= cells_across; ++j) {
-      for (int i = 0; i <= cells_along; ++i) add_point(i, j);
-    }
-    for (int j = 0; j < cells_across; ++j) {
-      for (int i = 0; i < cells_along; ++i) {
-        const std::int64_t corner = j * row + i, centre = first_centre + j * cells_along + i;
-        const std::int64_t around[5] = {corner, corner + 1, corner + row + 1, corner + row, corner};
-        add_point(i + 0.5, j + 0.5);
-        for (int k = 0; k < 4; ++k) {
-          whole.cell_vertices.insert(whole.cell_vertices.end(), {around[k], around[k + 1], centre});
-          whole.cell_region.push_back(0);
-        }
-      }
-    }
-  }
-  return mesh::distribute(MPI_COMM_WORLD, whole);
-}
-
 State state_of(const mesh::Mesh& mesh, const SpaceTime& pressure, const SpaceTime& potential, double time) {
   State state;
   state.time = time;
@@ -91,11 +64,12 @@ double lowest_order(const std::vector<double>& errors) {
   return lowest;
 }
 
-void print_errors(const char* title, const std::vector<double>& errors) {
+void print_errors(const char* title, const std::vector<double>& errors, bool with_order) {
   if (base::rank(MPI_COMM_WORLD) != 0) return;
   fmt::print("  {:58} ", title);
   for (const double error : errors) fmt::print(" {:.2e}", error);
-  fmt::print("  order {:.2f}\n", errors.size() > 1 ? std::log2(errors[errors.size() - 2] / errors.back()) : 0.0);
+  fmt::print("{}\n",
+             with_order ? fmt::format("  order {:.2f}", std::log2(errors[errors.size() - 2] / errors.back())) : "");
 }
 
 }  // namespace vocalis::acoustic::verification

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <vector>
@@ -15,9 +16,6 @@ using SpaceTime = std::function<double(std::span<const double> point, double tim
 /// A box of the given edges, on the ranks of the world, with cells about as long in all directions; 2-D if size[2] = 0.
 mesh::Mesh box_mesh(std::array<double, 3> size, std::array<int, 3> cells);
 
-/// A plane box whose bricks are cut into 4 triangles around their centres; no named facets.
-mesh::Mesh crossed_mesh(double length, double height, int cells_along, int cells_across);
-
 /// Both fields at the vertices at their present coordinates.
 State state_of(const mesh::Mesh& mesh, const SpaceTime& pressure, const SpaceTime& potential, double time);
 
@@ -27,10 +25,10 @@ fem::Load load_of(const fem::Space& space, std::span<const double> coordinates, 
 /// |p - exact| / |exact| in L2 at the state's time, on the mesh at its present coordinates.
 double relative_error(const AcousticSolver& solver, const SpaceTime& exact);
 
-/// log2 of each error over the next: the order of convergence where each level halves h (or dt).
+/// The smallest log2 of an error over the next: the order of convergence where each level halves h (or dt).
 double lowest_order(const std::vector<double>& errors);
 
-/// Prints "title: errors ... order" on rank 0, for the record of the test.
-void print_errors(const char* title, const std::vector<double>& errors);
+/// Prints "title errors ... order" on rank 0, for the record of the test.
+void print_errors(const char* title, const std::vector<double>& errors, bool with_order = true);
 
 }  // namespace vocalis::acoustic::verification
