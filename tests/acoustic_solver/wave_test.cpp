@@ -175,21 +175,23 @@ TEST_CASE("a run that goes on from its state equals the run that was not interru
   CHECK(second.state().psi == whole.state().psi);
 }
 
-TEST_CASE("moving there and back inside of a still cavity returns to the same mesh and keeps the energy nearly") {
-  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 16);
-  AcousticSolver solver(mesh, unit_medium(0.025));
+TEST_CASE("the energy of a cavity does not grow in sixty crossings while its inside swings at a tenth of c") {
+  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 12);
+  AcousticSolver solver(mesh, unit_medium(0.05));
   solver.set_state(bump(mesh));
   const double before = solver.energy();
-  const auto moved = deformed(mesh, 0.03);
+  const auto moved = deformed(mesh, 0.02);
   int passes = 0;
-  for (int n = 0; n < 20; ++n) {
+  double largest = 0;
+  for (int n = 0; n < 300; ++n) {
     const Motion motion = n % 2 == 0 ? Motion{mesh.coordinates, moved} : Motion{moved, mesh.coordinates};
-    passes += solver.advance(0.1, motion).passes;
+    passes += solver.advance(0.2, motion).passes;
+    largest = std::max(largest, std::abs(solver.energy() / before - 1));
   }
-  CHECK(passes > 80);
-  CHECK(std::abs(solver.energy() / before - 1) < 0.02);
+  CHECK(passes > 1200);
+  CHECK(largest < 0.02);
   // A motion whose ends are equal is no motion.
-  CHECK(solver.advance(0.1, Motion{mesh.coordinates, mesh.coordinates}).passes == 4);
+  CHECK(solver.advance(0.1, Motion{mesh.coordinates, mesh.coordinates}).passes == 2);
 }
 
 TEST_CASE("wrong settings are the user's mistake, told by rule, value and remedy") {
