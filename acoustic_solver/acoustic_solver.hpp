@@ -47,7 +47,7 @@ struct AdvanceReport {
 ///
 /// where the rates are at a fixed vertex, which moves with β. Time: θ-scheme with geometry and β at the middle of the
 /// sub-step; ψ eliminated, so that one symmetric positive definite system gives the pressure, whatever the step. The
-/// terms with β are iterated outside of it. Equations, boundary conditions and accuracy: docs/theory_acoustics.md.
+/// terms with β are iterated outside of it. Equations, boundary conditions and accuracy: docs/theory.md.
 class AcousticSolver {
  public:
   /// Silence on `mesh`, which must outlive the solver or be replaced by `adopt`. PETSc's options begin with

@@ -10,9 +10,9 @@ namespace vocalis::acoustic {
 
 /// How a response is explained by its source.
 struct DrivenModel {
-  double sampling_rate = 10000;  ///< both series are resampled to this [Hz]; resonances up to half of it
-  int order = 14;                ///< past samples of the response, and present and past ones of the source
-  double prominence = 6;         ///< of a resonance in the fitted transfer function [dB]
+  double sampling_rate = 10000;    ///< both series are resampled to this [Hz]; resonances up to half of it
+  int order = 14;                  ///< past samples of the response, and present and past ones of the source
+  double prominence = 6;           ///< of a resonance in the fitted transfer function [dB]
   double minimum_frequency = 100;  ///< [Hz]
 };
 

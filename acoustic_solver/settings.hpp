@@ -17,21 +17,21 @@ enum class AcousticBoundaryKind {
 struct AcousticBoundary {
   std::string group;
   AcousticBoundaryKind kind = AcousticBoundaryKind::rigid;
-  double admittance = 0.005;                  ///< µ [-], specific
-  double radius = 0;                          ///< R [m] of the open sphere (circle in 2-D); 0: plane
+  double admittance = 0.005;  ///< µ [-], specific
+  double radius = 0;          ///< R [m] of the open sphere (circle in 2-D); 0: plane
 };
 
 /// One acoustic solver: its medium, boundaries and step.
 struct AcousticSettings {
   std::string name = "sound";
   std::string analogy = "pressure_rate";
-  double speed_of_sound = 350;                ///< c [m/s]
-  double density = 1.2;                       ///< ρ [kg/m^3]
-  double wall_admittance = 0;                 ///< µ [-] of every boundary that is not named; 0: rigid
-  double step = 0;                            ///< largest sub-step [s], > 0
-  double theta = 0.5;                         ///< ½: Crank–Nicolson, no dissipation
-  double solver_tolerance = 1e-8;             ///< relative residual of a step's change of pressure
-  double source_fade_in = 0;                  ///< [s] over which the analogy's source rises
+  double speed_of_sound = 350;     ///< c [m/s]
+  double density = 1.2;            ///< ρ [kg/m^3]
+  double wall_admittance = 0;      ///< µ [-] of every boundary that is not named; 0: rigid
+  double step = 0;                 ///< largest sub-step [s], > 0
+  double theta = 0.5;              ///< ½: Crank–Nicolson, no dissipation
+  double solver_tolerance = 1e-8;  ///< relative residual of a step's change of pressure
+  double source_fade_in = 0;       ///< [s] over which the analogy's source rises
   std::vector<AcousticBoundary> boundaries;
 };
 

@@ -11,9 +11,13 @@ namespace {
 using base::UserError;
 
 const std::vector<std::pair<std::string, fsi::FlowBoundaryKind>> boundary_kinds = {
-    {"velocity", fsi::FlowBoundaryKind::velocity}, {"wall", fsi::FlowBoundaryKind::wall},
-    {"symmetry", fsi::FlowBoundaryKind::symmetry}, {"pressure", fsi::FlowBoundaryKind::pressure},
-    {"outlet", fsi::FlowBoundaryKind::outlet},     {"fixed", fsi::FlowBoundaryKind::fixed}};
+    {"velocity", fsi::FlowBoundaryKind::velocity},
+    {"wall", fsi::FlowBoundaryKind::wall},
+    {"symmetry", fsi::FlowBoundaryKind::symmetry},
+    {"pressure", fsi::FlowBoundaryKind::pressure},
+    {"total_pressure", fsi::FlowBoundaryKind::total_pressure},
+    {"outlet", fsi::FlowBoundaryKind::outlet},
+    {"fixed", fsi::FlowBoundaryKind::fixed}};
 
 double read_poisson_ratio(base::Table& table, const fsi::SolidMaterial& material) {
   if (!material.incompressible) {
@@ -49,7 +53,8 @@ fsi::FlowBoundary read_boundary(base::Table& table, Case& config) {
   fsi::FlowBoundary boundary;
   boundary.group = read_group(table, config);
   boundary.kind = table.choice("kind", boundary_kinds);
-  if (boundary.kind == Kind::pressure) boundary.pressure = table.number("pressure", base::any_number, "Pa");
+  if (boundary.kind == Kind::pressure || boundary.kind == Kind::total_pressure)
+    boundary.pressure = table.number("pressure", base::any_number, "Pa");
   if (boundary.kind == Kind::outlet) {
     boundary.pressure = table.number_or("pressure", boundary.pressure, base::any_number, "Pa");
   }
@@ -59,7 +64,7 @@ fsi::FlowBoundary read_boundary(base::Table& table, Case& config) {
         "profile", boundary.profile,
         {{"uniform", fsi::VelocityProfile::uniform}, {"parabolic", fsi::VelocityProfile::parabolic}});
   }
-  if (boundary.kind == Kind::pressure || boundary.kind == Kind::outlet || boundary.kind == Kind::velocity) {
+  if (boundary.kind != Kind::wall && boundary.kind != Kind::symmetry && boundary.kind != Kind::fixed) {
     boundary.ramp = table.number_or("ramp", boundary.ramp, base::not_negative, "s");
   }
   return boundary;

@@ -14,8 +14,8 @@ namespace vocalis::coupling {
 
 namespace {
 
-// Costs of one core, measured with the release preset on a 2-core machine of 2026 (tests/benchmarks): seconds a step and
-// unknown. A direct solver's grow faster than the size: the figure is for some 20,000 unknowns.
+// Costs of one core, measured with the release preset on a 2-core machine of 2026 (tests/benchmarks): seconds a step
+// and unknown. A direct solver's grow faster than the size: the figure is for some 20,000 unknowns.
 constexpr double flow_seconds_per_unknown = 4e-6, acoustic_seconds_per_unknown = 6e-7;
 // Bytes an unknown: matrix, factors, vectors.
 constexpr double flow_bytes_per_unknown = 6000, acoustic_bytes_per_unknown = 1000;
@@ -36,9 +36,8 @@ int check(MPI_Comm comm, const Command& command) {
            scene->parent.cells.num_global, scene->parent.vertices.num_global, scene->parent.dimension,
            mesh::smallest_quality(scene->parent));
   if (simulation.flow()) {
-    const double unknowns =
-        static_cast<double>(scene->parent.dimension * scene->flow->mesh.vertices.num_global +
-                            simulation.flow()->pressure_space().dofs.num_global);
+    const double unknowns = static_cast<double>(scene->parent.dimension * scene->flow->mesh.vertices.num_global +
+                                                simulation.flow()->pressure_space().dofs.num_global);
     log.info("#   flow: {} cells, {:.0f} unknowns, {:.0f} steps of {:.3g} s", scene->flow->mesh.cells.num_global,
              unknowns, steps, config.time.step);
     seconds += steps * unknowns * flow_seconds_per_unknown;

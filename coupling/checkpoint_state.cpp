@@ -34,7 +34,8 @@ template <class State, class Function>
 void for_each_acoustic_array(State& state, const std::string& name, const Function& function) {
   function(name + ".p", state.p);
   function(name + ".psi", state.psi);
-  for (std::size_t i = 0; i < state.earlier.size(); ++i) function(name + ".earlier" + std::to_string(i), state.earlier[i]);
+  for (std::size_t i = 0; i < state.earlier.size(); ++i)
+    function(name + ".earlier" + std::to_string(i), state.earlier[i]);
 }
 
 std::vector<double> on_rank_0(MPI_Comm comm, std::vector<double> values) {

@@ -20,7 +20,7 @@ namespace vocalis::coupling {
 namespace {
 
 constexpr double analysis_rate = 44100;  // [Hz]
-constexpr double widest_formant = 600;    // [Hz] a broader oscillation is no formant
+constexpr double widest_formant = 600;   // [Hz] a broader oscillation is no formant
 
 /// The part of a series from a time on.
 std::vector<double> since(const std::vector<double>& times, const std::vector<double>& values, double begin) {
@@ -125,7 +125,7 @@ std::vector<Channel> channels(const Case& config) {
 Figures evaluate_run(const Case& config, const std::string& folder) {
   const std::filesystem::path run = folder;
   Figures figures;
-  std::vector<double> volume_flow;   // through the first monitor of kind flux: what the voice is made of
+  std::vector<double> volume_flow;  // through the first monitor of kind flux: what the voice is made of
   if (config.flow) {
     const io::Series history = io::read_series((run / "history.csv").string());
     add_history(config, history, figures);
@@ -145,7 +145,8 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     const std::string suffix = spectra.empty() ? "" : "." + channel.suffix;
     if (config.source) {
       const std::vector<double> flux = from_zero(times, *recorded.find(source_column));
-      const auto response = acoustic::analyse_pulse_response(flux, sound, analysis_rate, {.maximum_bandwidth = widest_formant});
+      const auto response =
+          acoustic::analyse_pulse_response(flux, sound, analysis_rate, {.maximum_bandwidth = widest_formant});
       spectrum.transfer = response.transfer;
       add_formants(response.formants, suffix, figures);
     } else if (!volume_flow.empty()) {

@@ -12,13 +12,13 @@ namespace vocalis::coupling {
 /// What a finished run says: figures by name, each name with its unit (f0_Hz, F1_Hz, SPL_dB.mouth, gap_peak_m, ...).
 struct Figures {
   std::map<std::string, double> values;
-  std::string vibration;   ///< "grows", "holds", "decays" or "none": the folds' amplitude from period to period
+  std::string vibration;  ///< "grows", "holds", "decays" or "none": the folds' amplitude from period to period
 };
 
 /// One microphone of one acoustic solver: its column in microphones.csv and the suffix of its results.
 struct Channel {
-  std::string suffix;   ///< "mouth", or "lighthill.mouth" where a case has several solvers
-  std::string column;   ///< "pressure_Pa.mouth"
+  std::string suffix;  ///< "mouth", or "lighthill.mouth" where a case has several solvers
+  std::string column;  ///< "pressure_Pa.mouth"
   std::string solver;
 };
 std::vector<Channel> channels(const Case& config);
@@ -30,7 +30,7 @@ inline constexpr const char* source_column = "source_m_s";
 struct ChannelSpectrum {
   Channel channel;
   acoustic::PowerSpectrum power;
-  acoustic::ComplexSpectrum transfer;   ///< pressure over source; empty without [source]
+  acoustic::ComplexSpectrum transfer;  ///< pressure over source; empty without [source]
 };
 
 /// Reads history.csv and microphones.csv of a run folder and computes all figures; writes spectra.csv and one .wav per

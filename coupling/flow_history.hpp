@@ -29,7 +29,7 @@ class FlowHistory {
 
   const Scene& scene_;
   const fsi::FsiSolver& flow_;
-  fem::Space space_;                              ///< P1 on the flow mesh
+  fem::Space space_;  ///< P1 on the flow mesh
   std::vector<std::int32_t> cell_is_fluid_;
   std::vector<mesh::NamedFacet> outlet_;
   std::vector<std::int32_t> vertex_to_pressure_;  ///< dof of the fluid's pressure, or -1

@@ -8,15 +8,15 @@
 
 namespace vocalis::coupling {
 
-/// What an analogy may see of one accepted flow step from t to t + dt. All arrays live on the vertices of the flow mesh;
-/// ghosts are current. Tests fill it from formulas, without a flow solver.
+/// What an analogy may see of one accepted flow step from t to t + dt. All arrays live on the vertices of the flow
+/// mesh; ghosts are current. Tests fill it from formulas, without a flow solver.
 struct FlowView {
-  const fem::Space* space = nullptr;               ///< P1 on the whole flow mesh: dofs are its vertices
-  double time_begin = 0, time_end = 0;             ///< [s]
-  std::span<const std::int32_t> cell_is_fluid;     ///< (owned cells)
-  std::vector<mesh::NamedFacet> outlet;            ///< facets where the flow ends inside the air
-  std::vector<double> coordinates_middle;          ///< (vertices, d) [m] half-way through the step
-  std::vector<double> mesh_velocity;               ///< (vertices, d) β [m/s]
+  const fem::Space* space = nullptr;                 ///< P1 on the whole flow mesh: dofs are its vertices
+  double time_begin = 0, time_end = 0;               ///< [s]
+  std::span<const std::int32_t> cell_is_fluid;       ///< (owned cells)
+  std::vector<mesh::NamedFacet> outlet;              ///< facets where the flow ends inside the air
+  std::vector<double> coordinates_middle;            ///< (vertices, d) [m] half-way through the step
+  std::vector<double> mesh_velocity;                 ///< (vertices, d) β [m/s]
   std::vector<double> pressure_begin, pressure_end;  ///< (vertices) p_ic [Pa], meant at vertices of fluid cells only
   std::vector<double> velocity_begin, velocity_end;  ///< (vertices, d) u_ic [m/s]
 };

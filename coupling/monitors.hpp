@@ -20,17 +20,17 @@ enum class MonitorKind {
 struct MonitorSettings {
   std::string name;
   MonitorKind kind = MonitorKind::gap;
-  std::string group;                          ///< of facets, for gap and flux
-  int axis = 1;                               ///< 0, 1, 2 = x, y, z: normal of the plane, for gap
-  double plane = 0;                           ///< its coordinate [m], for gap
-  bool mirrored = false;                      ///< half model: gap and flux count twice
+  std::string group;                           ///< of facets, for gap and flux
+  int axis = 1;                                ///< 0, 1, 2 = x, y, z: normal of the plane, for gap
+  double plane = 0;                            ///< its coordinate [m], for gap
+  bool mirrored = false;                       ///< half model: gap and flux count twice
   std::array<double, 3> position = {0, 0, 0};  ///< [m], for displacement
 };
 
 /// The state of the flow that monitors read; vertices of the flow mesh, ghosts current.
 struct MonitoredFlow {
-  std::span<const double> coordinates;        ///< (vertices, d) [m], moved
-  std::span<const double> velocity;           ///< (vertices, d) [m/s]
+  std::span<const double> coordinates;  ///< (vertices, d) [m], moved
+  std::span<const double> velocity;     ///< (vertices, d) [m/s]
 };
 
 /// Monitors bound to their mesh.
@@ -48,7 +48,7 @@ class Monitors {
   struct Bound {
     MonitorSettings settings;
     std::vector<mesh::NamedFacet> facets;
-    int rank = -1;                            ///< that has the nearest vertex
+    int rank = -1;  ///< that has the nearest vertex
     std::int32_t vertex = -1;
   };
   const mesh::Mesh* mesh_;

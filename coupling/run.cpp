@@ -20,15 +20,15 @@ constexpr int finished_code = 0, failed_code = 3;
 
 class Stopwatch {
  public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::string checkpoint_path(const std::string& folder) { return (std::filesystem::path(folder) / "checkpoint.h5").string(); }
+std::string checkpoint_path(const std::string& folder) {
+  return (std::filesystem::path(folder) / "checkpoint.h5").string();
+}
 
 /// Does something on rank 0 that may find a mistake of the user's; all ranks hear of it. Collective.
 template <class Action>

@@ -17,8 +17,8 @@ namespace {
 using Header = io::SeriesWriter::Header;
 
 std::vector<std::string> history_columns(const Simulation& simulation) {
-  std::vector<std::string> columns = {"step", "time_s", "dt_s", "newton_iterations", "acoustic_iterations",
-                                      "smallest_quality"};
+  std::vector<std::string> columns = {
+      "step", "time_s", "dt_s", "newton_iterations", "acoustic_iterations", "smallest_quality"};
   if (simulation.monitors()) {
     const auto& more = simulation.monitors()->columns();
     columns.insert(columns.end(), more.begin(), more.end());
@@ -86,7 +86,8 @@ void prepare_run_folder(MPI_Comm comm, const std::string& folder) {
       const std::string text = code ? code.message() : "a file of that name";
       problem.assign(text.begin(), text.end());
     } else {
-      for (const char* name : {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "fields.h5", "fields.xdmf"}) {
+      for (const char* name :
+           {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "fields.h5", "fields.xdmf"}) {
         std::filesystem::remove(std::filesystem::path(folder) / name, code);
       }
     }
@@ -117,18 +118,21 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
     }
   }
   if (config.output.fields_interval > 0) {
-    fields_ = std::make_unique<io::FieldsWriter>(
-        goes_on ? io::FieldsWriter::resume(comm, folder, scene.parent, clock.step)
-                : io::FieldsWriter(comm, folder, scene.parent));
+    fields_ =
+        std::make_unique<io::FieldsWriter>(goes_on ? io::FieldsWriter::resume(comm, folder, scene.parent, clock.step)
+                                                   : io::FieldsWriter(comm, folder, scene.parent));
     if (!goes_on) write_fields(simulation);
   }
 }
 
 void RunOutput::record(Simulation& simulation, const StepOutcome& outcome) {
   const Clock& clock = simulation.clock();
-  std::vector<double> row = {static_cast<double>(clock.step), clock.time, outcome.dt,
+  std::vector<double> row = {static_cast<double>(clock.step),
+                             clock.time,
+                             outcome.dt,
                              static_cast<double>(outcome.newton_iterations),
-                             static_cast<double>(outcome.acoustic_iterations), outcome.smallest_quality};
+                             static_cast<double>(outcome.acoustic_iterations),
+                             outcome.smallest_quality};
   const std::vector<double> monitors = simulation.monitor_values();
   row.insert(row.end(), monitors.begin(), monitors.end());
   history_->write(row);
@@ -160,8 +164,7 @@ void RunOutput::write_fields(Simulation& simulation) {
   std::vector<std::pair<std::string, int>> names;
   if (const fsi::FsiSolver* flow = simulation.flow()) {
     std::vector<double> pressure = flow->fluid_pressure().values;
-    const std::vector<std::int32_t> wet =
-        mesh::mark_vertices_of_cells(scene_.flow->mesh, fluid_cells(scene_));
+    const std::vector<std::int32_t> wet = mesh::mark_vertices_of_cells(scene_.flow->mesh, fluid_cells(scene_));
     for (std::size_t v = 0; v < wet.size(); ++v) {
       if (!wet[v]) pressure[v] = -std::numeric_limits<double>::infinity();
     }

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "coupling/case.hpp"
 #include "core/mesh/mesh.hpp"
+#include "coupling/case.hpp"
 #include "transfer/strip.hpp"
 
 namespace vocalis::coupling {
@@ -13,9 +13,9 @@ namespace vocalis::coupling {
 /// place (spaces point into it).
 struct Scene {
   mesh::Mesh parent;
-  std::vector<RegionKind> kind_of_region;              ///< by index in parent.region_names
-  std::unique_ptr<transfer::StrippedMesh> flow;        ///< the parent without air; none without [flow]
-  std::unique_ptr<transfer::StrippedMesh> acoustic;    ///< the parent without solids; none without [[acoustic]]
+  std::vector<RegionKind> kind_of_region;            ///< by index in parent.region_names
+  std::unique_ptr<transfer::StrippedMesh> flow;      ///< the parent without air; none without [flow]
+  std::unique_ptr<transfer::StrippedMesh> acoustic;  ///< the parent without solids; none without [[acoustic]]
 };
 
 /// Reads or makes the mesh, distributes it and strips it. Cells are shared out so that the flow's work and the

@@ -54,9 +54,8 @@ void Simulation::step_voices(double dt, StepOutcome& outcome) {
   }
   const auto scope = timers_.scope("acoustic");
   for (auto& voice : voices_) {
-    const auto report =
-        view ? voice->follow(*view, history_->displacement_begin(), history_->displacement_end())
-             : voice->drive(dt, [this](double time) { return source_ ? source_->value(time) : 0.0; });
+    const auto report = view ? voice->follow(*view, history_->displacement_begin(), history_->displacement_end())
+                             : voice->drive(dt, [this](double time) { return source_ ? source_->value(time) : 0.0; });
     outcome.acoustic_iterations += report.linear_iterations;
     if (!report.converged) outcome.failure = "the acoustic step did not converge: " + report.reason;
   }

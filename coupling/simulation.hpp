@@ -17,15 +17,15 @@ namespace vocalis::coupling {
 
 /// What one step did, for history.csv and the progress line.
 struct StepOutcome {
-  std::string failure;                ///< empty: the step was accepted
-  double dt = 0;                      ///< [s]
+  std::string failure;  ///< empty: the step was accepted
+  double dt = 0;        ///< [s]
   int newton_iterations = 0;
-  int acoustic_iterations = 0;        ///< of all acoustic solvers
-  double smallest_quality = 1;        ///< of the moved mesh
+  int acoustic_iterations = 0;  ///< of all acoustic solvers
+  double smallest_quality = 1;  ///< of the moved mesh
 };
 
-/// All parts of one run, and the step that couples them: the flow moves first, on its own; the air follows it; then each
-/// acoustic solver takes its source from the flow's step and sub-steps to the same time. Coupling is one-way.
+/// All parts of one run, and the step that couples them: the flow moves first, on its own; the air follows it; then
+/// each acoustic solver takes its source from the flow's step and sub-steps to the same time. Coupling is one-way.
 class Simulation {
  public:
   /// The scene must outlive the simulation. Throws UserError for what the meshes do not have. Collective.

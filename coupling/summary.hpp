@@ -14,17 +14,17 @@ namespace vocalis::coupling {
 
 /// The facts of a run that summary.json holds besides its figures.
 struct RunFacts {
-  std::string status = "running";            ///< running, finished, stopped, failed
-  std::string reason;                        ///< why it stopped or failed
+  std::string status = "running";  ///< running, finished, stopped, failed
+  std::string reason;              ///< why it stopped or failed
   int ranks = 1;
   int dimension = 2;
   long steps = 0;
   long rejected_steps = 0;
   double simulated_seconds = 0;
-  double wall_seconds = 0;                   ///< of all parts of a run that was resumed
-  std::map<std::string, std::int64_t> cells, unknowns;   ///< by mesh: parent, flow, acoustic
+  double wall_seconds = 0;                              ///< of all parts of a run that was resumed
+  std::map<std::string, std::int64_t> cells, unknowns;  ///< by mesh: parent, flow, acoustic
   std::vector<base::Timers::Phase> phases;
-  double peak_memory_bytes = 0;              ///< sum over the ranks
+  double peak_memory_bytes = 0;  ///< sum over the ranks
 };
 
 /// Writes summary.json; what the case expects is set beside what was found. One rank, not collective. Throws

@@ -210,6 +210,13 @@ double backflow(const CellInput<D>& in, int facet, double weight) {
   return -weight * in.density * std::min(0.0, through * in.geometry.measure);
 }
 
+/// β of a boundary. With ½ the inflow brings ½ρ|v|² less pressure: the given pressure is the total one, and the power
+/// that enters is that pressure times the flow, whatever eddies there are.
+double backflow_weight(const FlowBoundary& boundary, double at_outlets) {
+  if (boundary.kind == FlowBoundaryKind::total_pressure) return 0.5;
+  return boundary.kind == FlowBoundaryKind::outlet ? at_outlets : 0;
+}
+
 template <int D>
 double facet_mass(int a, int b) {
   return (a == b ? 2.0 : 1.0) / (D * (D + 1));
@@ -360,8 +367,7 @@ ResidualSize Assembly::sum_residual() {
     const FlowBoundary& boundary = conditions_.boundaries[facet.boundary];
     gather<D>(facet.cell, in);
     const double pressure = boundary.pressure * ramp(boundary, time);
-    const double inflow =
-        boundary.kind == FlowBoundaryKind::outlet ? backflow<D>(in, facet.index, settings_.backflow_stabilisation) : 0;
+    const double inflow = backflow<D>(in, facet.index, backflow_weight(boundary, settings_.backflow_stabilisation));
     const auto vertices = mesh.vertices_of(facet.cell);
     for (int a = 0; a <= D; ++a) {
       if (a == facet.index) continue;
@@ -434,9 +440,10 @@ void Assembly::sum_jacobian() {
     }
   }
   for (const TractionFacet& facet : conditions_.tractions) {
-    if (conditions_.boundaries[facet.boundary].kind != FlowBoundaryKind::outlet) continue;
+    const double weight = backflow_weight(conditions_.boundaries[facet.boundary], settings_.backflow_stabilisation);
+    if (weight == 0) continue;
     gather<D>(facet.cell, in);
-    const double inflow = backflow<D>(in, facet.index, settings_.backflow_stabilisation);
+    const double inflow = backflow<D>(in, facet.index, weight);
     double* matrix = cell_matrices_.data() + facet.cell * entries;
     for (int a = 0; a <= D; ++a) {
       for (int b = 0; b <= D; ++b) {

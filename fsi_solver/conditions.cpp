@@ -168,7 +168,8 @@ Conditions make_conditions(const Continuum& continuum, const FlowSettings& setti
       } else {
         velocity.drive(marks, index, [](const double*) { return 1.0; });
       }
-    } else if (boundary.kind == FlowBoundaryKind::pressure || boundary.kind == FlowBoundaryKind::outlet) {
+    } else if (boundary.kind == FlowBoundaryKind::pressure || boundary.kind == FlowBoundaryKind::total_pressure ||
+               boundary.kind == FlowBoundaryKind::outlet) {
       for (const NamedFacet& facet : facets) result.tractions.push_back({facet.cell, facet.index, index});
       result.sets_pressure_level = true;
     }

@@ -20,12 +20,13 @@ struct SolidMaterial {
 };
 
 enum class FlowBoundaryKind {
-  velocity,  ///< v = value, essential
-  wall,      ///< v = 0 where the wall is rigid; an elastic wall is an interface and needs no boundary
-  symmetry,  ///< v·n = 0 on a straight axis-parallel boundary, free slip
-  pressure,  ///< traction -p n
-  outlet,    ///< traction -p n with backflow stabilisation
-  fixed      ///< solids: d = 0
+  velocity,        ///< v = value, essential
+  wall,            ///< v = 0 where the wall is rigid; an elastic wall is an interface and needs no boundary
+  symmetry,        ///< v·n = 0 on a straight axis-parallel boundary, free slip
+  pressure,        ///< traction -p n
+  total_pressure,  ///< a reservoir: where air comes in, p + ½ρ|v|² = value; energy-stable, unlike `pressure`
+  outlet,          ///< traction -p n with backflow stabilisation
+  fixed            ///< solids: d = 0
 };
 
 enum class VelocityProfile { uniform, parabolic };
@@ -34,7 +35,7 @@ enum class VelocityProfile { uniform, parabolic };
 struct FlowBoundary {
   std::string group;
   FlowBoundaryKind kind = FlowBoundaryKind::wall;
-  double pressure = 0;                                 ///< [Pa], for `pressure` and `outlet`
+  double pressure = 0;                                 ///< [Pa], for `pressure`, `total_pressure` and `outlet`
   std::array<double, 3> velocity = {0, 0, 0};          ///< [m/s], for `velocity`: (mean) velocity vector
   VelocityProfile profile = VelocityProfile::uniform;  ///< parabolic: 1.5 times the mean in the middle (2-D), by the
                                                        ///< distance between the end points of the group

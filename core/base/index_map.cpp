@@ -62,8 +62,7 @@ IndexMap contiguous_index_map(MPI_Comm comm, std::int32_t num_owned) {
 
 SharedNumbering number_shared(MPI_Comm comm, const std::vector<std::int64_t>& keys) {
   const int here = rank(comm);
-  const std::vector<std::int64_t> owner =
-      lowest_over_ranks(comm, keys, std::vector<std::int64_t>(keys.size(), here));
+  const std::vector<std::int64_t> owner = lowest_over_ranks(comm, keys, std::vector<std::int64_t>(keys.size(), here));
 
   SharedNumbering result;
   result.key_to_local.resize(keys.size());

@@ -12,10 +12,10 @@ namespace vocalis::base {
 struct IndexMap {
   MPI_Comm comm = MPI_COMM_NULL;
   std::int32_t num_owned = 0;
-  std::int64_t offset = 0;                  ///< first global index of this rank
+  std::int64_t offset = 0;  ///< first global index of this rank
   std::int64_t num_global = 0;
-  std::vector<std::int64_t> ghost_global;   ///< global index of each ghost
-  std::vector<int> ghost_owner;             ///< rank that owns each ghost
+  std::vector<std::int64_t> ghost_global;  ///< global index of each ghost
+  std::vector<int> ghost_owner;            ///< rank that owns each ghost
 
   std::int32_t num_ghosts() const { return static_cast<std::int32_t>(ghost_global.size()); }
   std::int32_t num_local() const { return num_owned + num_ghosts(); }
@@ -30,7 +30,7 @@ IndexMap contiguous_index_map(MPI_Comm comm, std::int32_t num_owned);
 /// Entities that several ranks know by a common key, given one owner each.
 struct SharedNumbering {
   IndexMap map;
-  std::vector<std::int32_t> key_to_local;   ///< for each given key its local index
+  std::vector<std::int32_t> key_to_local;  ///< for each given key its local index
 };
 
 /// Numbers entities that ranks share: the owner of a key is the lowest rank that lists it. Owned indices keep the

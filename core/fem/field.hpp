@@ -10,9 +10,9 @@ namespace vocalis::fem {
 /// Values of a finite element function: `components` numbers at each local dof. A field is carried to another mesh by
 /// injection.
 struct Field {
-  const Space* space = nullptr;             ///< must outlive the field
+  const Space* space = nullptr;  ///< must outlive the field
   int components = 1;
-  std::vector<double> values;               ///< (dofs.num_local, components)
+  std::vector<double> values;  ///< (dofs.num_local, components)
 
   Field() = default;
   Field(const Space& on, int number_of_components)
@@ -30,7 +30,7 @@ struct Field {
 struct Load {
   const Space* space = nullptr;
   int components = 1;
-  std::vector<double> values;               ///< (dofs.num_local, components)
+  std::vector<double> values;  ///< (dofs.num_local, components)
 
   Load() = default;
   Load(const Space& on, int number_of_components)

@@ -80,7 +80,8 @@ const QuadratureRule& quadrature(int dimension, int degree) {
   assert(dimension >= 1 && dimension <= 3 && degree >= 0 && degree <= (dimension == 3 ? 4 : 5));
   static const std::array<std::array<QuadratureRule, 6>, 3> rules = [] {
     std::array<std::array<QuadratureRule, 6>, 3> all;
-    for (int d = 0; d < 6; ++d) all[0][d] = interval_rule(d), all[1][d] = triangle_rule(d), all[2][d] = tetrahedron_rule(d);
+    for (int d = 0; d < 6; ++d)
+      all[0][d] = interval_rule(d), all[1][d] = triangle_rule(d), all[2][d] = tetrahedron_rule(d);
     return all;
   }();
   return rules[dimension - 1][degree];

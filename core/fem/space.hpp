@@ -11,15 +11,15 @@ namespace vocalis::fem {
 /// A Lagrange space of degree 1 (vertices) or 2 (vertices and edges) on the labelled cells of a mesh. Functions are
 /// continuous among cells of one label and may jump between labels; cells of label -1 have no unknowns.
 struct Space {
-  const mesh::Mesh* mesh = nullptr;         ///< must outlive the space
+  const mesh::Mesh* mesh = nullptr;  ///< must outlive the space
   int degree = 1;
-  int dofs_per_cell = 0;                    ///< P1: d + 1; P2: 6 or 10, vertices first, then edges
+  int dofs_per_cell = 0;  ///< P1: d + 1; P2: 6 or 10, vertices first, then edges
   base::IndexMap dofs;
   base::Halo halo;
-  std::vector<std::int32_t> cell_dofs;      ///< (cells, dofs_per_cell); -1 in cells without unknowns
-  std::vector<std::int32_t> dof_vertex;     ///< vertex of each local dof, or -1 (an edge's)
-  std::vector<std::int32_t> dof_edge;       ///< edge of each local dof, or -1 (a vertex's)
-  std::vector<std::int32_t> dof_label;      ///< label of each local dof
+  std::vector<std::int32_t> cell_dofs;   ///< (cells, dofs_per_cell); -1 in cells without unknowns
+  std::vector<std::int32_t> dof_vertex;  ///< vertex of each local dof, or -1 (an edge's)
+  std::vector<std::int32_t> dof_edge;    ///< edge of each local dof, or -1 (a vertex's)
+  std::vector<std::int32_t> dof_label;   ///< label of each local dof
 
   std::int32_t num_dofs() const { return dofs.num_local(); }
   std::span<const std::int32_t> dofs_of(std::int32_t cell) const {

@@ -48,7 +48,8 @@ Series read_series(const std::string& path) {
     }
   }
   if (series.columns.empty()) {
-    throw base::UserError("a series file needs a row of column names", path, "the run that wrote it was cut off; run again");
+    throw base::UserError("a series file needs a row of column names", path,
+                          "the run that wrote it was cut off; run again");
   }
   return series;
 }

@@ -10,7 +10,7 @@ namespace vocalis::io {
 struct Series {
   std::map<std::string, std::string> header;
   std::vector<std::string> columns;
-  std::vector<std::vector<double>> values;   ///< one vector a column
+  std::vector<std::vector<double>> values;  ///< one vector a column
 
   /// A column by name; nullptr if there is none.
   const std::vector<double>* find(const std::string& column) const;

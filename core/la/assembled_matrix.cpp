@@ -12,8 +12,8 @@ std::vector<double> gather_rows(Vec vector, const std::vector<PetscInt>& rows) {
   PetscVector here;
   base::check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(rows.size()), here.put()));
   Owner<IS, ISDestroy> from;
-  base::check(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(rows.size()), rows.data(), PETSC_COPY_VALUES,
-                              from.put()));
+  base::check(
+      ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(rows.size()), rows.data(), PETSC_COPY_VALUES, from.put()));
   Owner<VecScatter, VecScatterDestroy> scatter;
   base::check(VecScatterCreate(vector, from.get(), here.get(), nullptr, scatter.put()));
   base::check(VecScatterBegin(scatter.get(), vector, here.get(), INSERT_VALUES, SCATTER_FORWARD));

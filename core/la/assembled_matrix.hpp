@@ -29,7 +29,7 @@ class AssembledMatrix {
 
  private:
   PetscMatrix matrix_;
-  std::vector<double> all_values_;   ///< the cells' values, then the diagonal of the constrained rows
+  std::vector<double> all_values_;  ///< the cells' values, then the diagonal of the constrained rows
   std::size_t num_cell_values_ = 0;
 };
 

@@ -10,18 +10,18 @@ namespace vocalis::la {
 struct SolveReport {
   bool converged = false;
   int iterations = 0;
-  double residual = 0;      ///< norm of the last residual, in the solver's own scale
-  std::string reason;       ///< empty when converged
+  double residual = 0;  ///< norm of the last residual, in the solver's own scale
+  std::string reason;   ///< empty when converged
 };
 
 /// What a linear solver is before the user's options `-PREFIX_ksp_...`, `-PREFIX_pc_...` change it.
 struct LinearSolverSettings {
-  std::string prefix;                       ///< of PETSc's options, with its underscore
+  std::string prefix;  ///< of PETSc's options, with its underscore
   std::string method = KSPCG;
   std::string preconditioner = PCJACOBI;
   double relative_tolerance = 1e-10;
   int largest_iterations = 1000;
-  bool start_from_given = true;             ///< the solution vector is the starting guess
+  bool start_from_given = true;  ///< the solution vector is the starting guess
 };
 
 /// A Krylov solver. Collective.

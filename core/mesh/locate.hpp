@@ -10,8 +10,8 @@ namespace vocalis::mesh {
 /// A point inside a cell. The rank that holds the cell is the same number on every rank, -1 if no cell contains it.
 struct Location {
   int rank = -1;
-  std::int32_t cell = -1;                               ///< on that rank
-  std::array<double, 4> barycentric = {0, 0, 0, 0};     ///< on that rank; the first dimension + 1 count
+  std::int32_t cell = -1;                            ///< on that rank
+  std::array<double, 4> barycentric = {0, 0, 0, 0};  ///< on that rank; the first dimension + 1 count
 };
 
 /// Barycentric coordinates of a point in a cell; all in [0, 1] when it is inside.

@@ -14,9 +14,9 @@ namespace vocalis::mesh {
 /// A facet that belongs to a named group, seen from one of its cells. A facet inside the mesh is listed once from
 /// each side, on the rank of that side's cell.
 struct NamedFacet {
-  std::int32_t cell = 0;    ///< owned cell
-  std::int32_t index = 0;   ///< which facet of it: the one opposite to this vertex of the cell
-  std::int32_t group = 0;   ///< index in Mesh::group_names, or -1
+  std::int32_t cell = 0;   ///< owned cell
+  std::int32_t index = 0;  ///< which facet of it: the one opposite to this vertex of the cell
+  std::int32_t group = 0;  ///< index in Mesh::group_names, or -1
 };
 
 /// A distributed mesh of triangles or tetrahedra; whole at construction (see `build_mesh`).
@@ -61,11 +61,11 @@ int index_of(std::span<const std::string> names, const std::string& name);
 /// What one rank needs to build its part of a mesh, wherever it comes from: its cells and their vertices.
 struct MeshPart {
   int dimension = 2;
-  std::vector<std::int64_t> vertex_input;     ///< number of each vertex in the whole mesh
-  std::vector<double> coordinates;            ///< (vertices, dimension) [m]
-  std::vector<std::int32_t> cell_vertices;    ///< (cells, dimension + 1) indices into vertex_input
+  std::vector<std::int64_t> vertex_input;   ///< number of each vertex in the whole mesh
+  std::vector<double> coordinates;          ///< (vertices, dimension) [m]
+  std::vector<std::int32_t> cell_vertices;  ///< (cells, dimension + 1) indices into vertex_input
   std::vector<std::int32_t> cell_region;
-  std::vector<std::int32_t> facet_vertices;   ///< (named facets, dimension) indices into vertex_input
+  std::vector<std::int32_t> facet_vertices;  ///< (named facets, dimension) indices into vertex_input
   std::vector<std::int32_t> facet_group;
   std::vector<std::string> region_names, group_names;
 };

@@ -71,7 +71,8 @@ std::vector<std::array<std::int64_t, 2>> match_across_ranks(const Mesh& mesh, co
   const auto incoming = base::exchange(mesh.comm, outgoing);
   std::map<std::int64_t, std::vector<std::array<std::int64_t, 2>>> cells_of_key;
   for (int r = 0; r < ranks; ++r) {
-    for (std::size_t i = 0; i < incoming[r].size(); i += 2) cells_of_key[incoming[r][i]].push_back({incoming[r][i + 1], r});
+    for (std::size_t i = 0; i < incoming[r].size(); i += 2)
+      cells_of_key[incoming[r][i]].push_back({incoming[r][i + 1], r});
   }
   std::vector<std::vector<std::int64_t>> answers(ranks);
   for (int r = 0; r < ranks; ++r) {

@@ -78,7 +78,8 @@ std::vector<std::int32_t> partition_cells(const WholeMesh& mesh, int ranks, cons
                                           int constraints) {
   std::vector<std::int32_t> cell_rank(mesh.num_cells(), 0);
   if (ranks == 1 || mesh.num_cells() <= ranks) {
-    for (std::int64_t cell = 0; cell < mesh.num_cells(); ++cell) cell_rank[cell] = static_cast<std::int32_t>(cell % ranks);
+    for (std::int64_t cell = 0; cell < mesh.num_cells(); ++cell)
+      cell_rank[cell] = static_cast<std::int32_t>(cell % ranks);
     return cell_rank;
   }
   idx_t num_cells = static_cast<idx_t>(mesh.num_cells());

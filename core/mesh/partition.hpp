@@ -11,10 +11,10 @@ namespace vocalis::mesh {
 /// A whole mesh, on rank 0; empty on the others.
 struct WholeMesh {
   int dimension = 2;
-  std::vector<double> coordinates;            ///< (vertices, dimension) [m]
-  std::vector<std::int64_t> cell_vertices;    ///< (cells, dimension + 1)
+  std::vector<double> coordinates;          ///< (vertices, dimension) [m]
+  std::vector<std::int64_t> cell_vertices;  ///< (cells, dimension + 1)
   std::vector<std::int32_t> cell_region;
-  std::vector<std::int64_t> facet_vertices;   ///< (named facets, dimension)
+  std::vector<std::int64_t> facet_vertices;  ///< (named facets, dimension)
   std::vector<std::int32_t> facet_group;
   std::vector<std::string> region_names, group_names;
 

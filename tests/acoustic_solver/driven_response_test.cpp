@@ -9,7 +9,8 @@ using vocalis::acoustic::driven_response;
 namespace {
 
 /// Response of damped resonators in parallel to a source, both at 40 kHz.
-std::vector<double> resonate(const std::vector<double>& source, const std::vector<double>& frequencies, double bandwidth) {
+std::vector<double> resonate(const std::vector<double>& source, const std::vector<double>& frequencies,
+                             double bandwidth) {
   constexpr double rate = 40000;
   std::vector<double> result(source.size(), 0.0);
   for (const double frequency : frequencies) {
@@ -29,7 +30,8 @@ std::vector<double> resonate(const std::vector<double>& source, const std::vecto
 }  // namespace
 
 TEST_CASE("resonances are found between the harmonics of a growing voice", "[serial]") {
-  // A source of 154 Hz that grows, whose harmonics fall by 18 dB an octave and leave 388 Hz out, with weak noise on top.
+  // A source of 154 Hz that grows, whose harmonics fall by 18 dB an octave and leave 388 Hz out, with weak noise on
+  // top.
   std::vector<double> source;
   unsigned noise = 1;
   for (int n = 0; n < 2400; ++n) {

@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 """Runs Vocalis on broken input and asserts exit code 2 and a message that says what is wrong and what to do.
 
-usage: run_broken_cases.py PROGRAM [--mpiexec mpiexec] [--ranks 1,3] [--only WORDS]
+usage: run_broken_cases.py PROGRAM [--mpiexec mpiexec] [--ranks 1,3] [--only WORDS] [--at-once N]
 """
 
 import argparse
+import concurrent.futures
+import functools
 import os
 import pathlib
 import shutil
@@ -56,7 +58,7 @@ def copy_scene(folder):
             shutil.copy(path, folder)
 
 
-def run_mistake(runner, mistake: Mistake, ranks, folder):
+def run_mistake(mistake: Mistake, runner, ranks, folder):
     copy_scene(folder)
     path = folder / mistake.case
     text = path.read_text()
@@ -127,21 +129,23 @@ def main():
     parser.add_argument("--mpiexec", default="mpiexec")
     parser.add_argument("--ranks", default="1,3")
     parser.add_argument("--only", default="", help="run only what has these words in its name")
+    parser.add_argument("--at-once", type=int, default=os.cpu_count() + 1, help="starts of the program side by side")
     options = parser.parse_args()
     runner = Runner(options)
-    count = 0
+    chosen = []
     for ranks in map(int, options.ranks.split(",")):
-        jobs = [(mistake.name, lambda folder, m=mistake: run_mistake(runner, m, ranks, folder)) for mistake in MISTAKES]
-        jobs.append(("sound cases", lambda folder: run_sound_cases(runner, ranks, folder)))
-        jobs.append(("files", lambda folder: run_files(runner, ranks, folder)))
-        jobs.append(("checkpoints", lambda folder: run_checkpoints(runner, ranks, folder)))
-        for name, job in jobs:
-            if options.only not in name:
-                continue
-            with tempfile.TemporaryDirectory(prefix="vocalis broken ") as folder:
-                job(pathlib.Path(folder))
-                count += 1
-    print(f"{count} groups of broken input, {len(runner.failures)} failures")
+        jobs = [("checkpoints", run_checkpoints), ("sound cases", run_sound_cases), ("files", run_files)]
+        jobs += [(mistake.name, functools.partial(run_mistake, mistake)) for mistake in MISTAKES]
+        chosen += [(job, ranks) for name, job in jobs if options.only in name]
+
+    def carry_out(job, ranks):
+        with tempfile.TemporaryDirectory(prefix="vocalis broken ") as folder:
+            job(runner, ranks, pathlib.Path(folder))
+
+    with concurrent.futures.ThreadPoolExecutor(options.at_once) as pool:
+        for done in [pool.submit(carry_out, job, ranks) for job, ranks in chosen]:
+            done.result()
+    print(f"{len(chosen)} groups of broken input, {len(runner.failures)} failures")
     return 1 if runner.failures else 0
 
 
