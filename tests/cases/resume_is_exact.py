@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+"""A run that was stopped or killed, and resumed, leaves the same bytes as one that was not: series and fields. Files with
+wall times in them (summary.json, log.txt, checkpoint.h5) are not compared."""
+
+import sys
+import time
+
+import h5py
+import numpy
+
+from program import HERE, main, read_series, read_summary
+
+SERIES = ("history.csv", "microphones.csv")
+# Steps before each stop: after the first step, before, at and after a scheduled checkpoint (every 5 steps), and twice.
+STOPS = {1: ((1,), (4,), (5,), (6,), (6, 6)), 2: ((1,), (6,))}
+# So few iterations that steps are rejected, halved and grow again.
+WITH_REJECTIONS = ("--set", "flow.newton_iterations=5", "--set", "time.end=1.5e-4")
+
+
+def compare_fields(program, one, other, what):
+    with h5py.File(one / "fields.h5", "r") as a, h5py.File(other / "fields.h5", "r") as b:
+        if not program.expect(sorted(a) == sorted(b), f"{what}: fields.h5 holds {sorted(b)}, not {sorted(a)}"):
+            return
+        for group in a:
+            program.expect(dict(a[group].attrs) == dict(b[group].attrs), f"{what}: the attributes of {group}")
+            for name in a[group]:
+                same = numpy.array_equal(a[group][name][()], b[group][name][()], equal_nan=name not in ("cells", "region"))
+                program.expect(same, f"{what}: {group}/{name} differs")
+
+
+def first_difference(one, other):
+    (columns, a), (_, b) = read_series(one), read_series(other)
+    for column, x, y in zip(columns, a, b):
+        if len(x) != len(y):
+            return f"{len(y)} rows, not {len(x)}"
+        for row, (p, q) in enumerate(zip(x, y)):
+            if p != q:
+                return f"{column} in row {row} is {q!r}, not {p!r}"
+    return "the numbers agree"
+
+
+def compare(program, one, other, what):
+    for name in SERIES:
+        if (one / name).read_bytes() != (other / name).read_bytes():
+            program.expect(False, f"{what}: {name} differs: {first_difference(one / name, other / name)}")
+    compare_fields(program, one, other, what)
+    a, b = read_summary(one), read_summary(other)
+    for key in ("status", "steps", "rejected_steps", "simulated_seconds", "results"):
+        program.expect(a[key] == b[key], f"{what}: {key} is {b[key]}, not {a[key]}")
+
+
+def stop_and_resume(program, ranks, whole, arguments, stops, folder, what):
+    code = program.start(ranks, *arguments, "--out", folder, "--steps", stops[0])
+    program.expect_code(0, code, what)
+    summary = read_summary(folder)
+    program.expect((summary["status"], summary["steps"]) == ("stopped", stops[0]), f"{what}: {summary}")
+    for steps in stops[1:]:
+        program.expect_code(0, program.start(ranks, "resume", folder, "--steps", steps), what)
+    program.expect_code(0, program.start(ranks, "resume", folder), what)
+    compare(program, whole, folder, what)
+
+
+def kill_and_resume(program, case, ranks, whole, folder, what):
+    """Kills the run once its checkpoint has been renewed, in the midst of a step."""
+    process = program.start_in_background(ranks, "run", case, "--out", folder)
+    checkpoint = folder / "checkpoint.h5"
+    first = None
+    while process.poll() is None:
+        time.sleep(0.002)
+        if not checkpoint.exists():
+            continue
+        now = checkpoint.stat().st_mtime_ns
+        first = first or now
+        if now != first:
+            break
+    program.kill(process)
+    program.expect(not (folder / "summary.json").exists(), f"{what}: it was finished before it was killed")
+    program.expect_code(0, program.start(ranks, "resume", folder), what)
+    compare(program, whole, folder, what)
+
+
+def test(program, folder):
+    run = ("run", HERE / "larynx.toml")
+    for ranks, all_stops in STOPS.items():
+        whole = folder / f"whole{ranks}"
+        if not program.expect_code(0, program.start(ranks, *run, "--out", whole), f"{ranks} ranks"):
+            continue
+        for stops in all_stops:
+            words = " and ".join(map(str, stops))
+            stop_and_resume(program, ranks, whole, run, stops, folder / f"stop{ranks}_{words}",
+                            f"stopped after {words} steps on {ranks} ranks")
+        kill_and_resume(program, run[1], ranks, whole, folder / f"kill{ranks}", f"killed on {ranks} ranks")
+
+    whole, run, what = folder / "rejecting", (*run, *WITH_REJECTIONS), "stopped between rejections"
+    program.expect_code(0, program.start(1, *run, "--out", whole), what)
+    program.expect(read_summary(whole)["rejected_steps"] > 1, f"{what}: {read_summary(whole)}")
+    stop_and_resume(program, 1, whole, run, (11,), folder / "rejecting_stopped", what)
+
+
+if __name__ == "__main__":
+    sys.exit(main(test))
