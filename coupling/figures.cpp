@@ -11,6 +11,7 @@
 #include "acoustic_solver/resample.hpp"
 #include "acoustic_solver/ring_down.hpp"
 #include "acoustic_solver/voice.hpp"
+#include "core/base/error.hpp"
 #include "core/io/series_reader.hpp"
 #include "core/io/wav.hpp"
 #include "coupling/spectra_file.hpp"
@@ -21,6 +22,12 @@ namespace {
 
 constexpr double analysis_rate = 44100;  // [Hz]
 constexpr double widest_formant = 600;   // [Hz] a broader oscillation is no formant
+
+const std::vector<double>& column(const io::Series& series, const std::string& name, const std::string& file) {
+  if (const std::vector<double>* found = series.find(name)) return *found;
+  throw base::UserError("a run's file must have the columns of its case: " + file, "no column \"" + name + "\"",
+                        "the file was changed, or belongs to another case: run the case again");
+}
 
 /// The part of a series from a time on.
 std::vector<double> since(const std::vector<double>& times, const std::vector<double>& values, double begin) {
@@ -113,13 +120,18 @@ void add_formants(const std::vector<acoustic::Formant>& formants, const std::str
 
 std::vector<Channel> channels(const Case& config) {
   std::vector<Channel> result;
-  for (const acoustic::AcousticSettings& solver : config.acoustics) {
+  for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
+    const std::string& solver = config.acoustics[i].name;
     for (const acoustic::MicrophoneSettings& microphone : config.microphones) {
-      const std::string suffix = config.acoustics.size() == 1 ? microphone.name : solver.name + "." + microphone.name;
-      result.push_back({suffix, "pressure_Pa." + suffix, solver.name});
+      const std::string suffix = config.acoustics.size() == 1 ? microphone.name : solver + "." + microphone.name;
+      result.push_back({suffix, "pressure_Pa." + suffix, solver, microphones_file(config, i)});
     }
   }
   return result;
+}
+
+std::string microphones_file(const Case& config, std::size_t solver) {
+  return solver == 0 ? "microphones.csv" : "microphones_" + config.acoustics[solver].name + ".csv";
 }
 
 Figures evaluate_run(const Case& config, const std::string& folder) {
@@ -127,24 +139,27 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
   Figures figures;
   std::vector<double> volume_flow;  // through the first monitor of kind flux: what the voice is made of
   if (config.flow) {
-    const io::Series history = io::read_series((run / "history.csv").string());
+    const std::string file = (run / "history.csv").string();
+    const io::Series history = io::read_series(file);
+    column(history, "time_s", file);
     add_history(config, history, figures);
     volume_flow = first_flux(config, history);
   }
   if (config.microphones.empty()) return figures;
 
-  const io::Series recorded = io::read_series((run / "microphones.csv").string());
-  const std::vector<double>& times = *recorded.find("time_s");
   std::vector<ChannelSpectrum> spectra;
   for (const Channel& channel : channels(config)) {
-    const std::vector<double>& pressure = *recorded.find(channel.column);
+    const std::string file = (run / channel.file).string();
+    const io::Series recorded = io::read_series(file);
+    const std::vector<double>& times = column(recorded, "time_s", file);
+    const std::vector<double>& pressure = column(recorded, channel.column, file);
     const std::vector<double> sound = from_zero(times, pressure);
     io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
     ChannelSpectrum spectrum = {channel, acoustic::welch(sound, analysis_rate, 4096), {}};
     // The first microphone's formants carry the plain names F1_Hz, ...
     const std::string suffix = spectra.empty() ? "" : "." + channel.suffix;
     if (config.source) {
-      const std::vector<double> flux = from_zero(times, *recorded.find(source_column));
+      const std::vector<double> flux = from_zero(times, column(recorded, source_column, file));
       const auto response =
           acoustic::analyse_pulse_response(flux, sound, analysis_rate, {.maximum_bandwidth = widest_formant});
       spectrum.transfer = response.transfer;

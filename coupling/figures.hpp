@@ -20,8 +20,12 @@ struct Channel {
   std::string suffix;  ///< "mouth", or "lighthill.mouth" where a case has several solvers
   std::string column;  ///< "pressure_Pa.mouth"
   std::string solver;
+  std::string file;    ///< of the run folder: microphones.csv, or microphones_NAME.csv of a later solver
 };
 std::vector<Channel> channels(const Case& config);
+
+/// The file of an acoustic solver's microphones, by its place in the case.
+std::string microphones_file(const Case& config, std::size_t solver);
 
 /// Column of the prescribed source in microphones.csv [m/s].
 inline constexpr const char* source_column = "source_m_s";
@@ -34,7 +38,7 @@ struct ChannelSpectrum {
 };
 
 /// Reads history.csv and microphones.csv of a run folder and computes all figures; writes spectra.csv and one .wav per
-/// microphone. One rank, not collective. Throws UserError if a file is missing.
+/// microphone. One rank, not collective. Throws UserError if a file is missing, or has not the case's columns.
 Figures evaluate_run(const Case& config, const std::string& folder);
 
 }  // namespace vocalis::coupling

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/base/error.hpp"
+#include "core/base/first_rank.hpp"
 #include "core/base/log.hpp"
 #include "core/base/mpi.hpp"
 #include "coupling/checkpoint_state.hpp"
@@ -28,22 +29,6 @@ class Stopwatch {
 
 std::string checkpoint_path(const std::string& folder) {
   return (std::filesystem::path(folder) / "checkpoint.h5").string();
-}
-
-/// Does something on rank 0 that may find a mistake of the user's; all ranks hear of it. Collective.
-template <class Action>
-void on_rank_0(MPI_Comm comm, const Action& action) {
-  std::vector<char> message;
-  if (base::rank(comm) == 0) {
-    try {
-      action();
-    } catch (const base::UserError& error) {
-      const std::string text = error.what();
-      message.assign(text.begin(), text.end());
-    }
-  }
-  base::broadcast(comm, message);
-  if (!message.empty()) throw base::UserError(std::string(message.begin(), message.end()));
 }
 
 RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
@@ -120,8 +105,12 @@ class Run {
     facts_.simulated_seconds = clock.time;
     facts_.wall_seconds = wall_seconds();
     facts_.phases = timers_.largest_over_ranks(comm_);
+    if (const fsi::FsiSolver* flow = simulation_->flow()) {
+      const auto phases = flow->timers().largest_over_ranks(comm_);
+      facts_.phases.insert(facts_.phases.begin(), phases.begin(), phases.end());
+    }
     facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());
-    on_rank_0(comm_, [&] {
+    base::on_first_rank(comm_, [&] {
       const Figures figures = evaluate_run(config_, folder_);
       write_summary((std::filesystem::path(folder_) / "summary.json").string(), config_, facts_, figures);
       print_table(log_, config_, facts_, figures);
@@ -175,7 +164,7 @@ int resume(MPI_Comm comm, const Command& command) {
 int spectrum(MPI_Comm comm, const Command& command) {
   const Case config = case_of_folder(comm, command.target);
   base::Log log(comm);
-  on_rank_0(comm, [&] {
+  base::on_first_rank(comm, [&] {
     const Figures figures = evaluate_run(config, command.target);
     for (const auto& [name, value] : figures.values) log.info("  {:<28} {:>12.6g}", name, value);
   });

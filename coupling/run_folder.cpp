@@ -57,24 +57,6 @@ std::unique_ptr<io::SeriesWriter> open_series(MPI_Comm comm, const std::string& 
   return std::make_unique<io::SeriesWriter>(comm, path, header, columns);
 }
 
-/// Values at the flow mesh's vertices on the parent's; not a number elsewhere.
-std::vector<double> to_parent(const transfer::StrippedMesh& stripped, const mesh::Mesh& parent,
-                              std::span<const double> values, int components) {
-  std::vector<double> result(static_cast<std::size_t>(parent.num_vertices()) * components,
-                             -std::numeric_limits<double>::infinity());
-  for (std::size_t v = 0; v < stripped.vertex_to_parent.size(); ++v) {
-    for (int k = 0; k < components; ++k) {
-      result[stripped.vertex_to_parent[v] * components + k] = values[v * components + k];
-    }
-  }
-  // An owner in the parent need not have the vertex itself: the largest of all copies is the value.
-  parent.vertex_halo.max_to_owners(result, components);
-  for (double& value : result) {
-    if (std::isinf(value)) value = std::numeric_limits<double>::quiet_NaN();
-  }
-  return result;
-}
-
 }  // namespace
 
 void prepare_run_folder(MPI_Comm comm, const std::string& folder) {
@@ -97,10 +79,6 @@ void prepare_run_folder(MPI_Comm comm, const std::string& folder) {
     throw base::UserError("the run folder must be a folder that can be made: " + folder,
                           std::string(problem.begin(), problem.end()), "choose another with --out DIR");
   }
-}
-
-std::string microphones_file(const Case& config, std::size_t solver) {
-  return solver == 0 ? "microphones.csv" : "microphones_" + config.acoustics[solver].name + ".csv";
 }
 
 RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene& scene, Simulation& simulation,
@@ -158,29 +136,28 @@ void RunOutput::record_microphones(Simulation& simulation) {
 }
 
 void RunOutput::write_fields(Simulation& simulation) {
-  const mesh::Mesh& parent = scene_.parent;
-  const int d = parent.dimension;
-  std::vector<std::vector<double>> arrays;
-  std::vector<std::pair<std::string, int>> names;
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  std::vector<fem::Field> fields;
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, const transfer::SharedVertices& way, const fem::Field& values) {
+    way.carry(values, fields.emplace_back(parent_space_, values.components), undefined);
+    names.push_back(name);
+  };
   if (const fsi::FsiSolver* flow = simulation.flow()) {
-    std::vector<double> pressure = flow->fluid_pressure().values;
-    const std::vector<std::int32_t> wet = mesh::mark_vertices_of_cells(scene_.flow->mesh, fluid_cells(scene_));
-    for (std::size_t v = 0; v < wet.size(); ++v) {
-      if (!wet[v]) pressure[v] = -std::numeric_limits<double>::infinity();
+    fem::Field pressure = flow->fluid_pressure();
+    for (std::size_t v = 0; v < vertex_is_wet_.size(); ++v) {
+      if (!vertex_is_wet_[v]) pressure.values[v] = undefined;
     }
-    arrays.push_back(to_parent(*scene_.flow, parent, flow->state().velocity.values, d));
-    names.emplace_back("velocity", d);
-    arrays.push_back(to_parent(*scene_.flow, parent, flow->state().displacement.values, d));
-    names.emplace_back("displacement", d);
-    arrays.push_back(to_parent(*scene_.flow, parent, pressure, 1));
-    names.emplace_back("pressure", 1);
+    add("velocity", *flow_to_parent_, flow->state().velocity);
+    add("displacement", *flow_to_parent_, flow->state().displacement);
+    add("pressure", *flow_to_parent_, pressure);
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
-    arrays.push_back(to_parent(*scene_.acoustic, parent, simulation.voices()[i]->solver().state().p, 1));
-    names.emplace_back(i == 0 ? "acoustic_pressure" : "acoustic_pressure_" + config_.acoustics[i].name, 1);
+    add(i == 0 ? "acoustic_pressure" : "acoustic_pressure_" + config_.acoustics[i].name, *acoustic_to_parent_,
+        simulation.voices()[i]->solver().pressure());
   }
   std::vector<io::NamedValues> values;
-  for (std::size_t i = 0; i < arrays.size(); ++i) values.push_back({names[i].first, names[i].second, arrays[i]});
+  for (std::size_t i = 0; i < fields.size(); ++i) values.push_back({names[i], fields[i].components, fields[i].values});
   fields_->write(simulation.clock().step, simulation.clock().time, values);
 }
 

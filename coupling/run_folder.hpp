@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ void prepare_run_folder(MPI_Comm comm, const std::string& folder);
 /// more) and the fields.
 class RunOutput {
  public:
-  /// last_step  0: a new run; else the files are cut after this step and time, and go on
+  /// goes_on  the files of the run so far are cut after the present step, and continued
   /// Collective. Throws UserError if the files cannot be written.
   RunOutput(const Case& config, const std::string& folder, const Scene& scene, Simulation& simulation, bool goes_on);
 
@@ -36,9 +37,9 @@ class RunOutput {
   std::unique_ptr<io::SeriesWriter> history_;
   std::vector<std::unique_ptr<io::SeriesWriter>> microphones_;
   std::unique_ptr<io::FieldsWriter> fields_;
+  fem::Space parent_space_;  ///< this and what follows: for the fields
+  std::optional<transfer::SharedVertices> flow_to_parent_, acoustic_to_parent_;
+  std::vector<std::int32_t> vertex_is_wet_;  ///< of the flow mesh
 };
-
-/// The file of an acoustic solver's microphones, by its place in the case.
-std::string microphones_file(const Case& config, std::size_t solver);
 
 }  // namespace vocalis::coupling

@@ -78,16 +78,13 @@ void Halo::copy_to_ghosts(std::span<std::int64_t> values) const {
   check(PetscSFBcastEnd(forest_, MPI_INT64_T, values.data(), values.data() + num_owned_, MPI_REPLACE));
 }
 
-void Halo::reduce(std::span<double> values, int block, MPI_Op operation) const {
+void Halo::add_to_owners(std::span<double> values, int block) const {
   assert(values.size() == static_cast<std::size_t>(num_owned_ + num_ghosts_) * block);
   const BlockType unit(block);
   const double* ghosts = values.data() + static_cast<std::size_t>(num_owned_) * block;
-  check(PetscSFReduceBegin(forest_, unit.get(), ghosts, values.data(), operation));
-  check(PetscSFReduceEnd(forest_, unit.get(), ghosts, values.data(), operation));
+  check(PetscSFReduceBegin(forest_, unit.get(), ghosts, values.data(), MPI_SUM));
+  check(PetscSFReduceEnd(forest_, unit.get(), ghosts, values.data(), MPI_SUM));
 }
-
-void Halo::add_to_owners(std::span<double> values, int block) const { reduce(values, block, MPI_SUM); }
-void Halo::max_to_owners(std::span<double> values, int block) const { reduce(values, block, MPI_MAX); }
 
 void Halo::reduce(std::span<std::int32_t> values, MPI_Op operation) const {
   check(PetscSFReduceBegin(forest_, MPI_INT32_T, values.data() + num_owned_, values.data(), operation));

@@ -31,11 +31,9 @@ class Halo {
   /// owner := smallest (largest) of its own and all ghosts' values
   void min_to_owners(std::span<std::int32_t> values) const;
   void max_to_owners(std::span<std::int32_t> values) const;
-  void max_to_owners(std::span<double> values, int block = 1) const;
 
  private:
   void reduce(std::span<std::int32_t> values, MPI_Op operation) const;
-  void reduce(std::span<double> values, int block, MPI_Op operation) const;
   PetscSF forest_ = nullptr;
   std::int32_t num_owned_ = 0;
   std::int32_t num_ghosts_ = 0;

@@ -75,11 +75,6 @@ TEST_CASE("on two ranks values go where the map says") {
   if (first) CHECK(Integers(highest.begin(), highest.begin() + 2) == Integers{1, 9});
   if (!first) CHECK(Integers(highest.begin(), highest.begin() + 3) == Integers{70, 3, 2});
 
-  Reals largest = first ? Reals{0, 0, 0, 0, -1, 2, -3, 4} : Reals{-2, 0, 0, 0, 0, 0, 5, -6};
-  halo.max_to_owners(largest, 2);
-  if (first) CHECK(Reals(largest.begin(), largest.begin() + 4) == Reals{0, 0, 5, 0});
-  if (!first) CHECK(Reals(largest.begin(), largest.begin() + 6) == Reals{-2, 4, 0, 0, 0, 2});
-
   Integers integers = first ? Integers{1, 2, 0, 0} : Integers{3, 4, 5, 0};
   halo.copy_to_ghosts(integers);
   CHECK(integers == (first ? Integers{1, 2, 5, 3} : Integers{3, 4, 5, 2}));
