@@ -12,8 +12,9 @@ namespace vocalis::coupling {
 
 namespace {
 
-/// The value at a frequency of equally spaced levels, straight between bins.
+/// The value at a frequency of equally spaced levels, straight between bins; not a number where there is none.
 double level_at(const std::vector<double>& frequency, const std::vector<double>& level, double wanted) {
+  if (frequency.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   const double bin = frequency[1] - frequency[0];
   const auto below = static_cast<std::size_t>(wanted / bin);
   if (below + 1 >= level.size()) return std::numeric_limits<double>::quiet_NaN();
@@ -43,11 +44,11 @@ void write_spectra(const std::string& path, const Case& config, const std::vecto
     transfers.push_back(acoustic::magnitude_level(spectrum.transfer));
   }
   file << '\n';
-  // The transfer function has the finer bins, where there is one.
-  const double bin = spectra.empty() ? highest + 1
+  // The transfer function has the finer bins, where there is one. A record too short for a spectrum has no rows.
+  const double bin = spectra.empty() ? 0
                      : has_transfer  ? spectra.front().transfer.frequency[1]
                                      : spectra.front().power.bin_width;
-  for (int row = 0; row * bin <= highest; ++row) {
+  for (int row = 0; bin > 0 && row * bin <= highest; ++row) {
     const double frequency = row * bin;
     file << fmt::format("{:.6g}", frequency);
     for (std::size_t i = 0; i < spectra.size(); ++i) {

@@ -41,11 +41,17 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
   flow_to_acoustic_->carry(there.end, end);
 
   const std::vector<double> from = moved_coordinates(displacement_begin), to = moved_coordinates(displacement_end);
-  const auto report =
-      solver_.advance(flow.time_end - flow.time_begin, {from, to}, {.begin = &begin, .end = &end, .flux = {}},
-                      [this](double time) { microphones_.sample(time, solver_.state().p); });
-  scene_.acoustic->mesh.coordinates = to;
-  microphones_.follow(scene_.acoustic->mesh);
+  mesh::Mesh& mesh = scene_.acoustic->mesh;
+  const double start = solver_.state().time, dt = flow.time_end - flow.time_begin;
+  // Microphones stand still and cells pass them: where they are counts at each sub-step.
+  const auto listen = [&](double time) {
+    const double part = (time - start) / dt;
+    for (std::size_t i = 0; i < to.size(); ++i) mesh.coordinates[i] = (1 - part) * from[i] + part * to[i];
+    microphones_.follow(mesh);
+    microphones_.sample(time, solver_.state().p);
+  };
+  const auto report = solver_.advance(dt, {from, to}, {.begin = &begin, .end = &end, .flux = {}}, listen);
+  mesh.coordinates = to;
   return report;
 }
 

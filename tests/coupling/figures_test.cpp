@@ -1,0 +1,168 @@
+#include "coupling/figures.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.hpp"
+#include "core/io/series_reader.hpp"
+
+using namespace vocalis;
+using namespace vocalis::coupling;
+
+namespace {
+
+constexpr double step = 5e-6, ramp = 0.01;
+
+/// A run folder of one rank that is gone afterwards.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / "vocalis_figures") {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Case case_of(const std::vector<std::string>& solvers, bool with_flow) {
+  Case config;
+  config.name = "made_up";
+  for (const std::string& name : solvers) {
+    acoustic::AcousticSettings settings;
+    settings.name = name;
+    config.acoustics.push_back(settings);
+  }
+  config.microphones = {{"mouth", {0, 0, 0}}};
+  if (!with_flow) {
+    config.source.emplace();
+    return config;
+  }
+  fsi::FlowBoundary inlet;
+  inlet.ramp = ramp;
+  config.flow.emplace().boundaries = {inlet};
+  MonitorSettings gap, flux;
+  gap.name = "gap";
+  flux.name = "flow";
+  flux.kind = MonitorKind::flux;
+  config.monitors = {gap, flux};
+  return config;
+}
+
+/// 60 ms of folds that swing with 130 Hz by 0.1 mm about 0.5 mm, after a ramp in which all is larger.
+void write_history(const Folder& folder, double end = 0.06) {
+  std::ofstream file(folder.file("history.csv"));
+  file.precision(17);
+  file << "# case: made_up\nstep,time_s,dt_s,gap_m,flow_m2_s\n";
+  for (int n = 1; n * 2e-5 <= end * (1 + 1e-12); ++n) {
+    const double t = n * 2e-5, before = t < ramp ? 1 : 0;
+    file << n << ',' << t << ",2e-5," << 5e-4 + 1e-4 * std::sin(2 * M_PI * 130 * t) + 1e-2 * before << ','
+         << 0.2 + 0.1 * std::sin(2 * M_PI * 130 * t) + 10 * before << '\n';
+  }
+}
+
+/// A tone after the ramp, of a given amplitude [Pa].
+void write_tone(const Folder& folder, const std::string& name, const std::string& column, double amplitude) {
+  std::ofstream file(folder.file(name));
+  file.precision(17);
+  file << "# case: made_up\ntime_s," << column << '\n';
+  for (int n = 1; n * step <= 0.06; ++n) {
+    const double t = n * step;
+    file << t << ',' << (t < ramp ? 0 : amplitude * std::sin(2 * M_PI * 130 * t)) << '\n';
+  }
+}
+
+double level(double amplitude) { return 20 * std::log10(amplitude / std::sqrt(2.0) / 20e-6); }
+
+}  // namespace
+
+TEST_CASE("a microphone's figures carry the solver's name where there are several", "[serial]") {
+  const auto one = channels(case_of({"sound"}, true));
+  REQUIRE(one.size() == 1);
+  CHECK(one[0].suffix == "mouth");
+  CHECK(one[0].column == "pressure_Pa.mouth");
+  CHECK(one[0].file == "microphones.csv");
+  const auto two = channels(case_of({"near", "far"}, true));
+  REQUIRE(two.size() == 2);
+  CHECK(two[0].column == "pressure_Pa.near.mouth");
+  CHECK(two[0].file == "microphones.csv");
+  CHECK(two[1].suffix == "far.mouth");
+  CHECK(two[1].file == "microphones_far.csv");
+}
+
+TEST_CASE("figures of a made-up run are those that it was made of, from the end of the ramp on", "[serial]") {
+  const Folder folder;
+  write_history(folder);
+  write_tone(folder, "microphones.csv", "pressure_Pa.mouth", 2);
+  const Figures figures = evaluate_run(case_of({"sound"}, true), folder.path());
+  CHECK(figures.values.at("gap_peak_m") == Approx(6e-4).epsilon(1e-3));
+  CHECK(figures.values.at("gap_least_m") == Approx(4e-4).epsilon(1e-3));
+  CHECK(figures.values.at("flow_mean_m2_s") == Approx(0.2).epsilon(0.02));  // 6.5 periods
+  CHECK(figures.values.at("SPL_dB.mouth") == Approx(level(2)).margin(0.1));
+  CHECK(std::filesystem::exists(folder.file("microphone_mouth.wav")));
+  const io::Series spectra = io::read_series(folder.file("spectra.csv").string());
+  REQUIRE(spectra.find("frequency_Hz"));
+  const auto& psd = *spectra.find("psd_dB.mouth");
+  const auto loudest = std::max_element(psd.begin(), psd.end()) - psd.begin();
+  CHECK((*spectra.find("frequency_Hz"))[loudest] == Approx(130).margin(15));
+}
+
+TEST_CASE("every acoustic solver is read from its own file", "[serial]") {
+  const Folder folder;
+  write_history(folder);
+  write_tone(folder, "microphones.csv", "pressure_Pa.near.mouth", 2);
+  write_tone(folder, "microphones_far.csv", "pressure_Pa.far.mouth", 0.5);
+  const Figures figures = evaluate_run(case_of({"near", "far"}, true), folder.path());
+  CHECK(figures.values.at("SPL_dB.near.mouth") == Approx(level(2)).margin(0.1));
+  CHECK(figures.values.at("SPL_dB.far.mouth") == Approx(level(0.5)).margin(0.1));
+  const io::Series spectra = io::read_series(folder.file("spectra.csv").string());
+  CHECK(spectra.find("psd_dB.near.mouth"));
+  CHECK(spectra.find("psd_dB.far.mouth"));
+}
+
+TEST_CASE("a pulse's ring gives the formant, its bandwidth and the transfer function", "[serial]") {
+  const Folder folder;
+  {
+    std::ofstream file(folder.file("microphones.csv"));
+    file.precision(17);
+    file << "time_s,source_m_s,pressure_Pa.mouth\n";
+    for (int n = 1; n <= 8000; ++n) {
+      const double t = n * step, after = t - 3e-4;
+      const double ring = after > 0 ? std::exp(-M_PI * 60 * after) * std::sin(2 * M_PI * 500 * after) : 0;
+      file << t << ',' << std::exp(-std::pow((t - 2e-4) / 4e-5, 2)) << ',' << ring << '\n';
+    }
+  }
+  const Figures figures = evaluate_run(case_of({"sound"}, false), folder.path());
+  CHECK(figures.values.at("F1_Hz") == Approx(500).epsilon(1e-3));
+  CHECK(figures.values.at("B1_Hz") == Approx(60).epsilon(0.02));
+  CHECK(io::read_series(folder.file("spectra.csv").string()).find("transfer_dB.mouth"));
+}
+
+TEST_CASE("a run that hardly began is evaluated, too", "[serial]") {
+  const Folder folder;
+  for (const int rows : {0, 1, 2, 3, 20}) {
+    write_history(folder, rows * 2e-5);
+    std::ofstream file(folder.file("microphones.csv"));
+    file << "time_s,pressure_Pa.mouth\n";
+    for (int n = 1; n <= rows; ++n) file << n * 2e-5 << ',' << 1e-3 * n << '\n';
+    file.close();
+    CHECK_NOTHROW(evaluate_run(case_of({"sound"}, true), folder.path()));
+  }
+}
+
+TEST_CASE("files that are missing or of another case are refused", "[serial]") {
+  const Folder folder;
+  const Case config = case_of({"sound"}, true);
+  CHECK_THROWS_AS(evaluate_run(config, folder.path()), base::UserError);
+  write_history(folder);
+  CHECK_THROWS_AS(evaluate_run(config, folder.path()), base::UserError);
+  write_tone(folder, "microphones.csv", "pressure_Pa.ear", 1);
+  CHECK_THROWS_WITH(evaluate_run(config, folder.path()), Catch::Contains("no column \"pressure_Pa.mouth\""));
+  std::ofstream(folder.file("history.csv")) << "step,gap_m\n1,2\n";
+  CHECK_THROWS_WITH(evaluate_run(config, folder.path()), Catch::Contains("no column \"time_s\""));
+}

@@ -1,0 +1,213 @@
+#include "coupling/voice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
+#include "tests/all_ranks.hpp"
+#include "tests/coupling/small_scene.hpp"
+
+using namespace vocalis;
+using namespace vocalis::coupling;
+
+namespace {
+
+// A piston blows u(t) into a duct. The flow reaches to x = L, where it ends inside the air of a duct that goes on for
+// ever, so its pressure is p_ic = ρ u'(t) (L - x), and 0 in the air beyond. The sound of the whole is u ρ c,
+// travelling.
+constexpr double length = 0.17, speed = 350, density = 1.14, width = 0.2e-3, delay = 1.2e-3;
+double blown(double t) { return std::exp(-std::pow((t - delay) / width, 2)); }
+double blown_rate(double t) { return -2 * (t - delay) / (width * width) * blown(t); }
+double incompressible(double x, double t) { return x < length ? density * blown_rate(t) * (length - x) : 0; }
+double travelling(double x, double t) { return density * speed * blown(t - x / speed); }
+
+std::unique_ptr<Scene> duct(int cells) {
+  return test::box_scene({2 * length, 4 * length / cells, 0}, {cells, 2, 0},
+                         [](const auto& x) { return x[0] < length ? RegionKind::fluid : RegionKind::air; });
+}
+
+Case case_with_microphones() {
+  Case config;
+  config.flow.emplace();
+  config.microphones = {{"inside", {0.3 * length, 0.001, 0}}, {"beyond", {1.5 * length, 0.001, 0}}};
+  return config;
+}
+
+acoustic::AcousticSettings air(double step) {
+  acoustic::AcousticSettings settings;
+  settings.speed_of_sound = speed;
+  settings.density = density;
+  settings.step = step;
+  settings.boundaries = {{"right", acoustic::AcousticBoundaryKind::open}};
+  return settings;
+}
+
+/// The flow above as FlowView, on a mesh that moves by displacement(X, t) along x.
+class FakeFlow {
+ public:
+  FakeFlow(const Scene& scene, double (*displacement)(double x, double t))
+      : scene_(scene),
+        space_(fem::lagrange(scene.flow->mesh, 1)),
+        is_fluid_(fluid_cells(scene)),
+        displacement_(displacement) {}
+
+  fem::Field displacement(double time) const {
+    fem::Field result(space_, 2);
+    for (std::int32_t v = 0; v < space_.num_dofs(); ++v) {
+      result.at(v)[0] = displacement_(scene_.flow->mesh.point(v)[0], time);
+    }
+    return result;
+  }
+
+  FlowView view(double begin, double end) const {
+    const mesh::Mesh& mesh = scene_.flow->mesh;
+    FlowView view;
+    view.space = &space_;
+    view.time_begin = begin;
+    view.time_end = end;
+    view.cell_is_fluid = is_fluid_;
+    view.outlet = flow_outlet(scene_);
+    const fem::Field first = displacement(begin), last = displacement(end);
+    for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+      const double x = mesh.point(v)[0];
+      view.pressure_begin.push_back(incompressible(x + first.at(v)[0], begin));
+      view.pressure_end.push_back(incompressible(x + last.at(v)[0], end));
+      for (int k = 0; k < 2; ++k) {
+        view.coordinates_middle.push_back(mesh.point(v)[k] + 0.5 * (first.at(v)[k] + last.at(v)[k]));
+        view.mesh_velocity.push_back((last.at(v)[k] - first.at(v)[k]) / (end - begin));
+        view.velocity_begin.push_back(k == 0 ? blown(begin) : 0);
+        view.velocity_end.push_back(k == 0 ? blown(end) : 0);
+      }
+    }
+    return view;
+  }
+
+ private:
+  const Scene& scene_;
+  fem::Space space_;
+  std::vector<std::int32_t> is_fluid_;
+  double (*displacement_)(double, double);
+};
+
+double nowhere(double, double) { return 0; }
+/// Zero at x = 0 and x = L; the mesh swings by 4 mm within 1 ms.
+double swing(double x, double t) {
+  return x < length ? 0.004 * std::sin(M_PI * x / length) * std::sin(2 * M_PI * 1000 * t) : 0;
+}
+
+/// Largest |p_ic + p_a - exact| at both microphones over the largest |exact|.
+double error_of_duct(int cells, double (*displacement)(double, double)) {
+  const auto scene = duct(cells);
+  const double dt = 2 * length / cells / speed;
+  const Case config = case_with_microphones();
+  Voice voice(*scene, config, air(0.51 * dt));  // two sub-steps
+  const FakeFlow flow(*scene, displacement);
+  bool converged = true;
+  for (int n = 0; n * dt < 3e-3; ++n) {
+    converged =
+        converged &&
+        voice.follow(flow.view(n * dt, (n + 1) * dt), flow.displacement(n * dt), flow.displacement((n + 1) * dt))
+            .converged;
+  }
+  CHECK(converged);
+  const auto block = voice.microphones().collect();
+  double worst = 0;
+  for (std::size_t sample = 1; sample < block.times.size(); sample += 2) {  // after each step: p_ic is meant there
+    for (std::size_t m = 0; m < 2; ++m) {
+      const double x = config.microphones[m].position[0], t = block.times[sample];
+      const double sum = block.values[2 * sample + m] + incompressible(x, t);
+      worst = std::max(worst, std::abs(sum - travelling(x, t)) / (density * speed));
+    }
+  }
+  return base::largest(MPI_COMM_WORLD, worst);
+}
+
+}  // namespace
+
+TEST_CASE("the flow's pressure and its sound together are the sound of the duct") {
+  const double coarse = error_of_duct(80, nowhere), fine = error_of_duct(160, nowhere);
+  CAPTURE(coarse, fine);
+  CHECK(coarse < 0.1);
+  CHECK(coarse / fine > 3);  // second order
+}
+
+TEST_CASE("the same while the mesh swings, and microphones stay where they are") {
+  const double coarse = error_of_duct(80, swing), fine = error_of_duct(160, swing);
+  CAPTURE(coarse, fine);
+  CHECK(coarse < 0.1);
+  CHECK(coarse / fine > 3);
+}
+
+TEST_CASE("a prescribed flux is the sound of a piston") {
+  const auto scene = test::box_scene({length, 0.004, 0}, {80, 2, 0}, [](const auto&) { return RegionKind::air; });
+  Case config;
+  config.microphones = {{"end", {0.9 * length, 0.001, 0}}};
+  acoustic::AcousticSettings settings = air(3e-6);
+  settings.boundaries.push_back({.group = "left", .kind = acoustic::AcousticBoundaryKind::flux});
+  scene->flow.reset();
+  Voice voice(*scene, config, settings);
+  for (int n = 0; n < 100; ++n) CHECK(voice.drive(3e-5, blown).converged);
+  const auto block = voice.microphones().collect();
+  double worst = 0;
+  for (std::size_t sample = 0; sample < block.times.size(); ++sample) {
+    const double exact = travelling(0.9 * length, block.times[sample]);
+    worst = std::max(worst, std::abs(block.values[sample] - exact) / (density * speed));
+  }
+  CHECK(worst < 0.01);
+  if (base::rank(MPI_COMM_WORLD) == 0) CHECK(block.times.size() == 1000);
+}
+
+TEST_CASE("the source fades in") {
+  const auto scene = duct(40);
+  const double dt = 1e-5;
+  const FakeFlow flow(*scene, nowhere);
+  const auto sound_after_one_step = [&](double begin, double fade_in) {
+    acoustic::AcousticSettings settings = air(dt);
+    settings.source_fade_in = fade_in;
+    Voice voice(*scene, case_with_microphones(), settings);
+    CHECK(
+        voice.follow(flow.view(begin, begin + dt), flow.displacement(begin), flow.displacement(begin + dt)).converged);
+    double largest = 0;
+    for (const double p : voice.solver().state().p) largest = std::max(largest, std::abs(p));
+    return base::largest(MPI_COMM_WORLD, largest);
+  };
+  const double whole = sound_after_one_step(1e-3, 0);
+  CHECK(whole > 0);
+  CHECK(sound_after_one_step(1e-3, 1e-3) == whole);
+  CHECK(sound_after_one_step(1e-3, 2e-3 + dt) == Approx(whole / 2).epsilon(0.05));
+  CHECK(sound_after_one_step(1e-3, 1) < 1e-4 * whole);
+}
+
+TEST_CASE("a voice that was moved and has forgotten its caches goes on as one that was there all the time") {
+  const auto scene = duct(40), other_scene = duct(40);
+  const double dt = 2e-5;
+  const Case config = case_with_microphones();
+  Voice voice(*scene, config, air(dt)), other(*other_scene, config, air(dt));
+  const FakeFlow flow(*scene, swing), other_flow(*other_scene, swing);
+  const auto step = [&](Voice& one, const FakeFlow& follows, int n) {
+    CHECK(
+        one.follow(follows.view(n * dt, (n + 1) * dt), follows.displacement(n * dt), follows.displacement((n + 1) * dt))
+            .converged);
+  };
+  for (int n = 0; n < 8; ++n) step(voice, flow, n);
+  voice.microphones().collect();
+  other.solver().set_state(voice.solver().state());
+  other.move_to(other_flow.displacement(8 * dt));
+  voice.drop_caches();
+  other.drop_caches();
+  for (int n = 8; n < 12; ++n) {
+    step(voice, flow, n);
+    step(other, other_flow, n);
+  }
+  CHECK(voice.solver().state().p == other.solver().state().p);
+  CHECK(voice.solver().state().psi == other.solver().state().psi);
+  CHECK(voice.microphones().collect().values == other.microphones().collect().values);
+}
+
+TEST_CASE("a microphone outside of the air is the user's mistake") {
+  const auto scene = duct(20);
+  Case config;
+  config.microphones = {{"far", {1, 1, 0}}};
+  CHECK_THROWS_AS(Voice(*scene, config, air(1e-5)), base::UserError);
+}
