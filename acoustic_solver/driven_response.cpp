@@ -63,28 +63,58 @@ std::complex<double> polynomial(std::span<const double> coefficients, std::compl
   return value;
 }
 
+/// |B/A| [dB] at whole hertz of a model of one order; empty if it could not be fitted.
+std::vector<double> level_of_order(std::span<const double> source, std::span<const double> response, int order,
+                                   double rate, int highest, double& misfit) {
+  const std::vector<double> coefficients = fit(source, response, order, misfit);
+  if (coefficients.empty()) return {};
+  const std::span<const double> a = std::span(coefficients).first(order), b = std::span(coefficients).subspan(order);
+  std::vector<double> level;
+  for (int hertz = 0; hertz <= highest; ++hertz) {
+    const auto delay = std::polar(1.0, -2 * std::numbers::pi * hertz / rate);
+    level.push_back(20 * std::log10(std::abs(polynomial(b, delay) / (1.0 - delay * polynomial(a, delay)))));
+  }
+  return level;
+}
+
+/// The median over the models at each frequency, then the mean over 9 Hz: medians have steps.
+std::vector<double> combine(const std::vector<std::vector<double>>& levels) {
+  const std::size_t bins = levels.front().size();
+  std::vector<double> median(bins), result(bins);
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    std::vector<double> values;
+    for (const auto& level : levels) values.push_back(level[bin]);
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    median[bin] = values[values.size() / 2];
+  }
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    const std::size_t first = bin < 4 ? 0 : bin - 4, last = std::min(bin + 4, bins - 1);
+    for (std::size_t i = first; i <= last; ++i) result[bin] += median[i] / static_cast<double>(last - first + 1);
+  }
+  return result;
+}
+
 }  // namespace
 
 DrivenResponse driven_response(std::span<const double> source, std::span<const double> response, double rate,
                                const DrivenModel& model) {
   DrivenResponse result;
-  if (response.size() / rate * model.sampling_rate < 6 * model.order) return result;
+  if (response.size() / rate * model.sampling_rate < 6 * model.highest_order) return result;
   const std::vector<double> q = without_mean(resample(source, rate, model.sampling_rate));
   const std::vector<double> p = without_mean(resample(response, rate, model.sampling_rate));
   const std::size_t length = std::min(p.size(), q.size());
-  const std::vector<double> coefficients =
-      fit(std::span(q).first(length), std::span(p).first(length), model.order, result.misfit);
-  if (coefficients.empty()) return result;
-  const std::span<const double> a = std::span(coefficients).first(model.order);
-  const std::span<const double> b = std::span(coefficients).subspan(model.order);
   // The resampling filter stops the last tenth below half the sampling rate.
   const int highest = static_cast<int>(0.45 * model.sampling_rate);
-  for (int hertz = 0; hertz <= highest; ++hertz) {
-    const auto delay = std::polar(1.0, -2 * std::numbers::pi * hertz / model.sampling_rate);
-    result.transfer.frequency.push_back(hertz);
-    result.transfer.value.push_back(polynomial(b, delay) / (1.0 - delay * polynomial(a, delay)));
+  std::vector<std::vector<double>> levels;
+  for (int order = model.lowest_order; order <= model.highest_order; order += 2) {
+    std::vector<double> level = level_of_order(std::span(q).first(length), std::span(p).first(length), order,
+                                               model.sampling_rate, highest, result.misfit);
+    if (!level.empty()) levels.push_back(std::move(level));
   }
-  result.formants = formants_by_peaks(magnitude_level(result.transfer), 1.0,
+  if (levels.empty()) return result;
+  result.level = combine(levels);
+  for (int hertz = 0; hertz <= highest; ++hertz) result.frequency.push_back(hertz);
+  result.formants = formants_by_peaks(result.level, 1.0,
                                       {.minimum_frequency = model.minimum_frequency,
                                        .maximum_frequency = static_cast<double>(highest),
                                        .prominence = model.prominence});

@@ -50,9 +50,9 @@ std::vector<double> uniform_since(const std::vector<double>& series, double begi
   return {series.begin() + static_cast<std::ptrdiff_t>(first), series.end()};
 }
 
-/// When all boundary values have risen; what comes before is not voice.
-double end_of_ramps(const Case& config) {
-  double end = 0;
+/// When the voice begins: all boundary values have risen, and the folds have had 0.3 of the run to forget the start.
+double begin_of_voice(const Case& config) {
+  double end = config.flow ? 0.3 * config.time.end : 0;
   if (config.flow) {
     for (const fsi::FlowBoundary& boundary : config.flow->boundaries) end = std::max(end, boundary.ramp);
   }
@@ -64,7 +64,8 @@ double mean(const std::vector<double>& values) {
 }
 
 void add_vibration(const std::vector<double>& gap, Figures& figures) {
-  const acoustic::Growth growth = acoustic::growth(gap, analysis_rate);
+  // A slow swing of the folds must not be taken for the pitch, so an octave below has to correlate clearly better.
+  const acoustic::Growth growth = acoustic::growth(gap, analysis_rate, 0.01, {.octave_cost = 0.1});
   figures.vibration = acoustic::name(growth.trend);
   if (growth.trend == acoustic::Trend::none) return;
   figures.values["f0_Hz"] = growth.frequency;
@@ -75,7 +76,7 @@ void add_vibration(const std::vector<double>& gap, Figures& figures) {
 
 void add_history(const Case& config, const io::Series& history, Figures& figures) {
   const std::vector<double>& times = *history.find("time_s");
-  const double begin = end_of_ramps(config);
+  const double begin = begin_of_voice(config);
   bool has_gap = false;
   for (const MonitorSettings& monitor : config.monitors) {
     for (std::size_t c = 0; c < history.columns.size(); ++c) {
@@ -88,7 +89,7 @@ void add_history(const Case& config, const io::Series& history, Figures& figures
       if (monitor.kind == MonitorKind::gap) {
         figures.values[monitor.name + "_peak" + unit] = *std::max_element(late.begin(), late.end());
         figures.values[monitor.name + "_least" + unit] = *std::min_element(late.begin(), late.end());
-        if (!has_gap) add_vibration(acoustic::resample(times, history.values[c], analysis_rate), figures);
+        if (!has_gap) add_vibration(uniform_since(from_zero(times, history.values[c]), begin), figures);
         has_gap = true;
       }
     }
@@ -155,25 +156,29 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     const std::vector<double>& pressure = column(recorded, channel.column, file);
     const std::vector<double> sound = from_zero(times, pressure);
     io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
-    ChannelSpectrum spectrum = {channel, acoustic::welch(sound, analysis_rate, 4096), {}};
+    ChannelSpectrum spectrum = {channel, acoustic::welch(sound, analysis_rate, 4096), {}, {}};
     // The first microphone's formants carry the plain names F1_Hz, ...
     const std::string suffix = spectra.empty() ? "" : "." + channel.suffix;
     if (config.source) {
       const std::vector<double> flux = from_zero(times, column(recorded, source_column, file));
       const auto response =
           acoustic::analyse_pulse_response(flux, sound, analysis_rate, {.maximum_bandwidth = widest_formant});
-      spectrum.transfer = response.transfer;
+      spectrum.transfer_frequency = response.transfer.frequency;
+      spectrum.transfer_level = acoustic::magnitude_level(response.transfer);
       add_formants(response.formants, suffix, figures);
     } else if (!volume_flow.empty()) {
-      const auto late = [&](const std::vector<double>& series) { return uniform_since(series, end_of_ramps(config)); };
+      const auto late = [&](const std::vector<double>& series) {
+        return uniform_since(series, begin_of_voice(config));
+      };
       auto response = acoustic::driven_response(late(volume_flow), late(sound), analysis_rate);
-      spectrum.transfer = std::move(response.transfer);
+      spectrum.transfer_frequency = std::move(response.frequency);
+      spectrum.transfer_level = std::move(response.level);
       add_formants(response.formants, suffix, figures);
     } else {
       add_formants(acoustic::formants_by_prediction(sound, analysis_rate, {}), suffix, figures);
     }
     figures.values["SPL_dB." + channel.suffix] =
-        acoustic::sound_pressure_level(since(times, pressure, end_of_ramps(config)));
+        acoustic::sound_pressure_level(since(times, pressure, begin_of_voice(config)));
     spectra.push_back(std::move(spectrum));
   }
   write_spectra((run / "spectra.csv").string(), config, spectra);

@@ -20,7 +20,7 @@ struct Channel {
   std::string suffix;  ///< "mouth", or "lighthill.mouth" where a case has several solvers
   std::string column;  ///< "pressure_Pa.mouth"
   std::string solver;
-  std::string file;    ///< of the run folder: microphones.csv, or microphones_NAME.csv of a later solver
+  std::string file;  ///< of the run folder: microphones.csv, or microphones_NAME.csv of a later solver
 };
 std::vector<Channel> channels(const Case& config);
 
@@ -34,7 +34,8 @@ inline constexpr const char* source_column = "source_m_s";
 struct ChannelSpectrum {
   Channel channel;
   acoustic::PowerSpectrum power;
-  acoustic::ComplexSpectrum transfer;  ///< pressure over source; empty without [source]
+  std::vector<double> transfer_frequency;  ///< [Hz], equally spaced from 0; empty where the source is not known
+  std::vector<double> transfer_level;      ///< |pressure over source| [dB re 1 Pa over the source's unit]
 };
 
 /// Reads history.csv and microphones.csv of a run folder and computes all figures; writes spectra.csv and one .wav per

@@ -26,7 +26,7 @@ double level_at(const std::vector<double>& frequency, const std::vector<double>&
 
 void write_spectra(const std::string& path, const Case& config, const std::vector<ChannelSpectrum>& spectra) {
   constexpr double highest = 10000;  // [Hz]
-  const bool has_transfer = !spectra.empty() && !spectra.front().transfer.frequency.empty();
+  const bool has_transfer = !spectra.empty() && !spectra.front().transfer_frequency.empty();
   std::ofstream file(path);
   file << "# case: " << config.name << "\n# psd: Welch, Hann window, half overlap, dB re (20e-6 Pa)^2/Hz\n";
   if (has_transfer) file << "# transfer: microphone pressure over the source (pulse [m/s] or volume flow), dB re 1\n";
@@ -36,17 +36,16 @@ void write_spectra(const std::string& path, const Case& config, const std::vecto
                         first.noise_bandwidth, first.segments);
   }
   file << "frequency_Hz";
-  std::vector<std::vector<double>> levels, transfers;
+  std::vector<std::vector<double>> levels;
   for (const ChannelSpectrum& spectrum : spectra) {
     file << ",psd_dB." << spectrum.channel.suffix;
     if (has_transfer) file << ",transfer_dB." << spectrum.channel.suffix;
     levels.push_back(acoustic::density_level(spectrum.power));
-    transfers.push_back(acoustic::magnitude_level(spectrum.transfer));
   }
   file << '\n';
   // The transfer function has the finer bins, where there is one. A record too short for a spectrum has no rows.
   const double bin = spectra.empty() ? 0
-                     : has_transfer  ? spectra.front().transfer.frequency[1]
+                     : has_transfer  ? spectra.front().transfer_frequency[1]
                                      : spectra.front().power.bin_width;
   for (int row = 0; bin > 0 && row * bin <= highest; ++row) {
     const double frequency = row * bin;
@@ -54,7 +53,7 @@ void write_spectra(const std::string& path, const Case& config, const std::vecto
     for (std::size_t i = 0; i < spectra.size(); ++i) {
       file << fmt::format(",{:.4f}", level_at(spectra[i].power.frequency, levels[i], frequency));
       if (has_transfer) {
-        file << fmt::format(",{:.4f}", level_at(spectra[i].transfer.frequency, transfers[i], frequency));
+        file << fmt::format(",{:.4f}", level_at(spectra[i].transfer_frequency, spectra[i].transfer_level, frequency));
       }
     }
     file << '\n';
