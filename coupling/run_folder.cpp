@@ -96,6 +96,12 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
     }
   }
   if (config.output.fields_interval > 0) {
+    parent_space_ = fem::lagrange(scene.parent, 1);
+    if (scene.flow) {
+      flow_to_parent_.emplace(transfer::SharedVertices::to_parent(scene.parent, *scene.flow));
+      vertex_is_wet_ = mesh::mark_vertices_of_cells(scene.flow->mesh, fluid_cells(scene));
+    }
+    if (scene.acoustic) acoustic_to_parent_.emplace(transfer::SharedVertices::to_parent(scene.parent, *scene.acoustic));
     fields_ =
         std::make_unique<io::FieldsWriter>(goes_on ? io::FieldsWriter::resume(comm, folder, scene.parent, clock.step)
                                                    : io::FieldsWriter(comm, folder, scene.parent));
