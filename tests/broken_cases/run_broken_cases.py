@@ -129,7 +129,7 @@ def main():
     parser.add_argument("--mpiexec", default="mpiexec")
     parser.add_argument("--ranks", default="1,3")
     parser.add_argument("--only", default="", help="run only what has these words in its name")
-    parser.add_argument("--at-once", type=int, default=os.cpu_count() + 1, help="starts of the program side by side")
+    parser.add_argument("--at-once", type=int, default=2 * os.cpu_count(), help="starts of the program side by side")
     options = parser.parse_args()
     runner = Runner(options)
     chosen = []
