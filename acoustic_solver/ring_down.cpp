@@ -208,6 +208,11 @@ PulseResponse analyse_pulse_response(std::span<const double> flux, std::span<con
   const std::size_t begin = end_of_pulse(flux) + static_cast<std::size_t>(std::ceil(settle * sampling_rate));
   std::vector<DampedMode> modes;
   if (begin < pressure.size()) modes = damped_modes(pressure.subspan(begin), sampling_rate, settings);
+  // Without any loss a mode neither grows nor decays, up to rounding: it counts as one that decays very slowly.
+  constexpr double undamped = 0.01;  // [Hz]
+  for (DampedMode& mode : modes) {
+    if (std::abs(mode.bandwidth()) < undamped) mode.exponent.real(-pi * undamped);
+  }
   result.transfer = transient_transfer_function(flux, pressure, sampling_rate, bin_width);
   const ComplexSpectrum source = transient_spectrum(flux, sampling_rate, bin_width);
   const double remaining = static_cast<double>(pressure.size() - std::min(begin, pressure.size()));

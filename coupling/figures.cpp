@@ -156,7 +156,8 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     const std::vector<double>& pressure = column(recorded, channel.column, file);
     const std::vector<double> sound = from_zero(times, pressure);
     io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
-    ChannelSpectrum spectrum = {channel, acoustic::welch(sound, analysis_rate, 4096), {}, {}};
+    ChannelSpectrum spectrum = {
+        channel, acoustic::welch(uniform_since(sound, begin_of_voice(config)), analysis_rate, 4096), {}, {}};
     // The first microphone's formants carry the plain names F1_Hz, ...
     const std::string suffix = spectra.empty() ? "" : "." + channel.suffix;
     if (config.source) {

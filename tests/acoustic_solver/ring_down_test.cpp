@@ -128,3 +128,22 @@ TEST_CASE("a tube that reflects with -r at its open end shows its resonances to 
     CHECK(std::abs(h.value[k] - exact) < 0.02 * (1 + std::abs(exact)));
   }
 }
+
+TEST_CASE("a tube without any loss keeps all of its resonances", "[serial]") {
+  // As above with r = 1: modes that do not decay, so that rounding decides the sign of their bandwidth.
+  const double delay = 0.17 / 350, rate = 100000;
+  const GaussianFlux pulse(GaussianPulse{1, 8000});
+  std::vector<double> flux, pressure;
+  for (int n = 0; n < 3000; ++n) {
+    const double time = n / rate;
+    flux.push_back(pulse.value(time));
+    double sum = 0, sign = 1;
+    for (double echo = delay; echo < time; echo += 2 * delay, sign = -sign) sum += sign * pulse.value(time - echo);
+    pressure.push_back(sum);
+  }
+  const PulseResponse response = analyse_pulse_response(flux, pressure, rate, {});
+  REQUIRE(response.formants.size() >= 5);
+  for (int k = 0; k < 5; ++k) {
+    CHECK(response.formants[k].frequency == Approx((2 * k + 1) / (4 * delay)).epsilon(1e-4));
+  }
+}
