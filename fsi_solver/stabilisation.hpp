@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "fsi_solver/stage_fields.hpp"
+
+namespace vocalis::fsi {
+
+/// Stabilisation of every cell for one step, from the accepted state: τ, τ₂, the advecting velocity and the projection
+/// of (c·∇)v at the stage by extrapolation from the last two steps, so that it is second order in time and needs no
+/// memory.
+///
+///   1/τ = ρ Σ_a |c·∇φ_a| + µ Σ_a |∇φ_a|²   in the stream,   1/τ = ρ |c| (Σ_a |∇φ_a|²)^½ + µ Σ_a |∇φ_a|² of the
+///   pressure (solids: c → c_s = (µs / ρs)^½, µ → η),   τ₂ = µ + ρ |c| / (Σ_a |∇φ_a|²)^½
+///
+/// These are 2 ρ |c| / h and 4 µ / h² of a regular triangle. No dt enters, so nothing collapses as dt → 0.
+/// Source: Codina 2000, Comput. Meth. Appl. Mech. Eng. 190, 1579; 2008, Appl. Numer. Math. 58, 264 (term by term).
+struct Stabilisation {
+  explicit Stabilisation(const mesh::Mesh& mesh);
+
+  template <int D>
+  CellStabilisation<D> of_cell(std::int32_t cell) const;
+
+  std::vector<double> pressure, stream, divergence;  ///< (cells)
+  std::vector<double> recovery;                      ///< (cells) κ of incompressible solids [1/s]
+  std::vector<double> advection, projection;         ///< (cells, dimension)
+};
+
+/// Renews the stabilisation of every cell from the fields as they are. Returns the τ-weighted lumped projection π of
+/// their pressure gradient [Pa/m], on the pressure's space, ghosts current. Collective.
+template <int D>
+fem::Field stabilise(const StageFields& fields, const Continuum& continuum, const FlowSettings& settings,
+                     Stabilisation& stabilisation);
+
+}  // namespace vocalis::fsi
