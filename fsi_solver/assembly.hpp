@@ -29,6 +29,9 @@ class Assembly {
   /// At the unknowns of the last `residual`. Collective.
   void jacobian();
 
+  /// Of the step that has begun.
+  Stabilisation& stabilisation() { return stabilisation_; }
+
   /// Results at the unknowns of the last `residual`.
   const fem::Field& end_velocity() const { return fields_.end_velocity(); }
   const fem::Field& end_displacement() const { return fields_.end_displacement(); }
