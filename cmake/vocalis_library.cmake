@@ -7,7 +7,8 @@ target_compile_definitions(vocalis_options INTERFACE VOCALIS_VERSION="${PROJECT_
 
 function(vocalis_library name)
   cmake_parse_arguments(ARG "" "FOLDER" "LINK;EXCLUDE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.cpp
+       ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*/*.cpp)
   foreach(file IN LISTS ARG_EXCLUDE)
     list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/${file})
   endforeach()

@@ -1,7 +1,8 @@
 # vocalis_test(FOLDER LINK targets... RANKS n... LABELS label...): tests tagged [serial] run on one rank only.
 function(vocalis_test name)
   cmake_parse_arguments(ARG "" "" "LINK;RANKS;LABELS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*.cpp)
   if(NOT sources)
     return()
   endif()

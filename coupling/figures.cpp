@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <numeric>
 
-#include "acoustic_solver/driven_response.hpp"
-#include "acoustic_solver/resample.hpp"
-#include "acoustic_solver/ring_down.hpp"
-#include "acoustic_solver/voice.hpp"
+#include "acoustic_solver/signals/driven_response.hpp"
+#include "acoustic_solver/signals/resample.hpp"
+#include "acoustic_solver/signals/ring_down.hpp"
+#include "acoustic_solver/signals/voice.hpp"
 #include "core/base/error.hpp"
 #include "core/io/series_reader.hpp"
 #include "core/io/wav.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "acoustic_solver/spectrum.hpp"
-#include "coupling/case.hpp"
+#include "acoustic_solver/signals/spectrum.hpp"
+#include "coupling/case/case.hpp"
 
 namespace vocalis::coupling {
 

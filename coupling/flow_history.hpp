@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "coupling/flow_view.hpp"
+#include "coupling/analogies/flow_view.hpp"
 #include "coupling/scene.hpp"
 #include "fsi_solver/fsi_solver.hpp"
 

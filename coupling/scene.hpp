@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "coupling/case.hpp"
+#include "coupling/case/case.hpp"
 #include "transfer/strip.hpp"
 
 namespace vocalis::coupling {

@@ -7,7 +7,7 @@
 
 #include "core/base/log.hpp"
 #include "core/base/timers.hpp"
-#include "coupling/case.hpp"
+#include "coupling/case/case.hpp"
 #include "coupling/figures.hpp"
 
 namespace vocalis::coupling {

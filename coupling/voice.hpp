@@ -6,8 +6,8 @@
 
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "acoustic_solver/microphones.hpp"
-#include "coupling/analogy.hpp"
-#include "coupling/case.hpp"
+#include "coupling/analogies/analogy.hpp"
+#include "coupling/case/case.hpp"
 #include "coupling/scene.hpp"
 #include "transfer/carry.hpp"
 

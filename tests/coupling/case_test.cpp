@@ -1,4 +1,4 @@
-#include "coupling/case.hpp"
+#include "coupling/case/case.hpp"
 
 #include <cstdio>
 #include <filesystem>

@@ -3,7 +3,7 @@
 
 #include "acoustic_solver/microphones.hpp"
 #include "acoustic_solver/pulse.hpp"
-#include "acoustic_solver/ring_down.hpp"
+#include "acoustic_solver/signals/ring_down.hpp"
 #include "core/base/mpi.hpp"
 #include "tests/verification/acoustic_fields.hpp"
 

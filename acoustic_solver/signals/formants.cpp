@@ -1,4 +1,4 @@
-#include "acoustic_solver/formants.hpp"
+#include "acoustic_solver/signals/formants.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -6,8 +6,8 @@
 #include <complex>
 #include <numbers>
 
-#include "acoustic_solver/dense.hpp"
-#include "acoustic_solver/resample.hpp"
+#include "acoustic_solver/signals/dense.hpp"
+#include "acoustic_solver/signals/resample.hpp"
 
 namespace vocalis::acoustic {
 

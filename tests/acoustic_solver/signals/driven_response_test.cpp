@@ -1,4 +1,4 @@
-#include "acoustic_solver/driven_response.hpp"
+#include "acoustic_solver/signals/driven_response.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "acoustic_solver/driven_response.hpp"
+#include "acoustic_solver/signals/driven_response.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "acoustic_solver/dense.hpp"
-#include "acoustic_solver/resample.hpp"
+#include "acoustic_solver/signals/dense.hpp"
+#include "acoustic_solver/signals/resample.hpp"
 
 namespace vocalis::acoustic {
 

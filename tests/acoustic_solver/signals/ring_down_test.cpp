@@ -1,4 +1,4 @@
-#include "acoustic_solver/ring_down.hpp"
+#include "acoustic_solver/signals/ring_down.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/base/error.hpp"
-#include "coupling/analogy.hpp"
-#include "coupling/case_sections.hpp"
+#include "coupling/analogies/analogy.hpp"
+#include "coupling/case/case_sections.hpp"
 
 namespace vocalis::coupling {
 

@@ -1,4 +1,4 @@
-#include "coupling/case.hpp"
+#include "coupling/case/case.hpp"
 
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 #include "core/base/error.hpp"
 #include "core/base/file_text.hpp"
 #include "core/base/mpi.hpp"
-#include "coupling/case_sections.hpp"
+#include "coupling/case/case_sections.hpp"
 
 namespace vocalis::coupling {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "acoustic_solver/formants.hpp"
-#include "acoustic_solver/spectrum.hpp"
+#include "acoustic_solver/signals/formants.hpp"
+#include "acoustic_solver/signals/spectrum.hpp"
 
 namespace vocalis::acoustic {
 

@@ -1,4 +1,4 @@
-#include "acoustic_solver/voice.hpp"
+#include "acoustic_solver/signals/voice.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

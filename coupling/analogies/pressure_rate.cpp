@@ -1,4 +1,4 @@
-#include "coupling/pressure_rate.hpp"
+#include "coupling/analogies/pressure_rate.hpp"
 
 #include "core/fem/simplex.hpp"
 #include "core/mesh/geometry.hpp"

@@ -1,11 +1,11 @@
-#include "acoustic_solver/ring_down.hpp"
+#include "acoustic_solver/signals/ring_down.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
-#include "acoustic_solver/dense.hpp"
+#include "acoustic_solver/signals/dense.hpp"
 
 namespace vocalis::acoustic {
 

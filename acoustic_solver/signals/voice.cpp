@@ -1,4 +1,4 @@
-#include "acoustic_solver/voice.hpp"
+#include "acoustic_solver/signals/voice.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "acoustic_solver/fourier.hpp"
-#include "acoustic_solver/spectrum.hpp"
+#include "acoustic_solver/signals/fourier.hpp"
+#include "acoustic_solver/signals/spectrum.hpp"
 
 namespace vocalis::acoustic {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/case_table.hpp"
-#include "coupling/case.hpp"
+#include "coupling/case/case.hpp"
 
 namespace vocalis::coupling {
 

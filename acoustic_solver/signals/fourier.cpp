@@ -1,4 +1,4 @@
-#include "acoustic_solver/fourier.hpp"
+#include "acoustic_solver/signals/fourier.hpp"
 
 #include <fftw3.h>
 

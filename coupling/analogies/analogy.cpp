@@ -1,8 +1,8 @@
-#include "coupling/analogy.hpp"
+#include "coupling/analogies/analogy.hpp"
 
 #include "core/base/case_table.hpp"
 #include "core/base/error.hpp"
-#include "coupling/pressure_rate.hpp"
+#include "coupling/analogies/pressure_rate.hpp"
 
 namespace vocalis::coupling {
 

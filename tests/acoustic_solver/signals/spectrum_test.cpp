@@ -1,4 +1,4 @@
-#include "acoustic_solver/spectrum.hpp"
+#include "acoustic_solver/signals/spectrum.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupling/analogy.hpp"
+#include "coupling/analogies/analogy.hpp"
 
 namespace vocalis::coupling {
 

@@ -1,4 +1,4 @@
-#include "acoustic_solver/spectrum.hpp"
+#include "acoustic_solver/signals/spectrum.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "acoustic_solver/fourier.hpp"
+#include "acoustic_solver/signals/fourier.hpp"
 
 namespace vocalis::acoustic {
 

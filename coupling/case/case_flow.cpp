@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "core/base/error.hpp"
-#include "coupling/case_sections.hpp"
+#include "coupling/case/case_sections.hpp"
 
 namespace vocalis::coupling {
 

@@ -1,7 +1,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/case_sections.hpp"
+#include "coupling/case/case_sections.hpp"
 
 namespace vocalis::coupling {
 

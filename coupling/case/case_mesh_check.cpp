@@ -2,7 +2,7 @@
 
 #include "core/base/case_table.hpp"
 #include "core/base/error.hpp"
-#include "coupling/case.hpp"
+#include "coupling/case/case.hpp"
 
 namespace vocalis::coupling {
 

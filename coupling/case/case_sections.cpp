@@ -1,4 +1,4 @@
-#include "coupling/case_sections.hpp"
+#include "coupling/case/case_sections.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "acoustic_solver/resample.hpp"
+#include "acoustic_solver/signals/resample.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "acoustic_solver/formants.hpp"
+#include "acoustic_solver/signals/formants.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "acoustic_solver/pulse.hpp"
-#include "acoustic_solver/spectrum.hpp"
+#include "acoustic_solver/signals/spectrum.hpp"
 
 using namespace vocalis::acoustic;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/fem/field.hpp"
-#include "coupling/flow_view.hpp"
+#include "coupling/analogies/flow_view.hpp"
 
 namespace vocalis::coupling {
 

@@ -1,4 +1,4 @@
-#include "acoustic_solver/dense.hpp"
+#include "acoustic_solver/signals/dense.hpp"
 
 #include <algorithm>
 #include <cassert>
