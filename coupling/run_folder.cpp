@@ -57,6 +57,15 @@ std::unique_ptr<io::SeriesWriter> open_series(MPI_Comm comm, const std::string& 
   return std::make_unique<io::SeriesWriter>(comm, path, header, columns);
 }
 
+/// Whether a run writes files of this name.
+bool is_of_a_run(const std::string& name) {
+  for (const char* known :
+       {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "fields.h5", "fields.xdmf"}) {
+    if (name == known) return true;
+  }
+  return name.starts_with("microphone") && (name.ends_with(".wav") || name.ends_with(".csv"));
+}
+
 }  // namespace
 
 void prepare_run_folder(MPI_Comm comm, const std::string& folder) {
@@ -68,10 +77,11 @@ void prepare_run_folder(MPI_Comm comm, const std::string& folder) {
       const std::string text = code ? code.message() : "a file of that name";
       problem.assign(text.begin(), text.end());
     } else {
-      for (const char* name :
-           {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "fields.h5", "fields.xdmf"}) {
-        std::filesystem::remove(std::filesystem::path(folder) / name, code);
+      std::vector<std::filesystem::path> old;
+      for (std::filesystem::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+        if (is_of_a_run(entry->path().filename().string())) old.push_back(entry->path());
       }
+      for (const auto& path : old) std::filesystem::remove(path, code);
     }
   }
   base::broadcast(comm, problem);

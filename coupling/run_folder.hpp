@@ -11,8 +11,7 @@
 
 namespace vocalis::coupling {
 
-/// Makes a run folder, or empties one of an earlier run of its known files. Collective. Throws UserError if it cannot
-/// be made, or holds something else than a run.
+/// Makes a run folder, or takes what an earlier run left out of it. Collective. Throws UserError if it cannot be made.
 void prepare_run_folder(MPI_Comm comm, const std::string& folder);
 
 /// What a run writes while it goes: history.csv, microphones.csv (microphones_NAME.csv for a second acoustic solver and
