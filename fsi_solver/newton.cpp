@@ -94,6 +94,17 @@ PetscErrorCode Newton::test(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNE
 
 NewtonReport Newton::solve(const State& state, const Stage& stage) {
   if (std::abs(stage.rate - jacobian_stage_.rate) > 1e-3 * stage.rate) has_jacobian_ = false;
+  const bool is_kept = has_jacobian_;
+  const NewtonReport first = attempt(state, stage);
+  if (first.converged || !is_kept) return first;
+  // The fault may be that of the old Jacobian, and a new one is cheaper than two halves of the step.
+  NewtonReport second = attempt(state, stage);
+  second.iterations += first.iterations;
+  second.jacobians += first.jacobians;
+  return second;
+}
+
+NewtonReport Newton::attempt(const State& state, const Stage& stage) {
   jacobian_stage_ = stage;
   jacobians_ = 0;
   errors_.clear();

@@ -34,6 +34,7 @@ class Newton {
   void drop_jacobian() { has_jacobian_ = false; }
 
  private:
+  NewtonReport attempt(const State& state, const Stage& stage);
   static PetscErrorCode residual(SNES snes, Vec unknowns, Vec result, void* self);
   static PetscErrorCode jacobian(SNES snes, Vec unknowns, Mat matrix, Mat same, void* self);
   static PetscErrorCode test(SNES snes, PetscInt iteration, PetscReal, PetscReal, PetscReal,
