@@ -74,25 +74,36 @@ void add_vibration(const std::vector<double>& gap, Figures& figures) {
   figures.values["vibration_last_amplitude_m"] = growth.amplitudes.back();
 }
 
+/// The column of a gap or a flux, and the unit in its name; names may begin alike, so the whole column is compared.
+struct MonitorColumn {
+  const std::vector<double>* values = nullptr;
+  std::string unit;
+};
+MonitorColumn column_of(const MonitorSettings& monitor, const io::Series& history) {
+  for (const char* unit : {"_m", "_m2_s", "_m3_s"}) {
+    if (const auto* values = history.find(monitor.name + unit)) return {values, unit};
+  }
+  return {};
+}
+
 void add_history(const Case& config, const io::Series& history, Figures& figures) {
   const std::vector<double>& times = *history.find("time_s");
   const double begin = begin_of_voice(config);
   bool has_gap = false;
   for (const MonitorSettings& monitor : config.monitors) {
-    for (std::size_t c = 0; c < history.columns.size(); ++c) {
-      const std::string& column = history.columns[c];
-      if (!column.starts_with(monitor.name + "_")) continue;
-      const std::vector<double> late = since(times, history.values[c], begin);
-      if (late.empty()) continue;
-      const std::string unit = column.substr(monitor.name.size());
-      if (monitor.kind == MonitorKind::flux) figures.values[monitor.name + "_mean" + unit] = mean(late);
-      if (monitor.kind == MonitorKind::gap) {
-        figures.values[monitor.name + "_peak" + unit] = *std::max_element(late.begin(), late.end());
-        figures.values[monitor.name + "_least" + unit] = *std::min_element(late.begin(), late.end());
-        if (!has_gap) add_vibration(uniform_since(from_zero(times, history.values[c]), begin), figures);
-        has_gap = true;
-      }
+    if (monitor.kind == MonitorKind::displacement) continue;
+    const auto [values, unit] = column_of(monitor, history);
+    if (!values) continue;
+    const std::vector<double> late = since(times, *values, begin);
+    if (late.empty()) continue;
+    if (monitor.kind == MonitorKind::flux) {
+      figures.values[monitor.name + "_mean" + unit] = mean(late);
+      continue;
     }
+    figures.values[monitor.name + "_peak" + unit] = *std::max_element(late.begin(), late.end());
+    figures.values[monitor.name + "_least" + unit] = *std::min_element(late.begin(), late.end());
+    if (!has_gap) add_vibration(uniform_since(from_zero(times, *values), begin), figures);
+    has_gap = true;
   }
 }
 
@@ -100,10 +111,7 @@ void add_history(const Case& config, const io::Series& history, Figures& figures
 std::vector<double> first_flux(const Case& config, const io::Series& history) {
   for (const MonitorSettings& monitor : config.monitors) {
     if (monitor.kind != MonitorKind::flux) continue;
-    for (std::size_t c = 0; c < history.columns.size(); ++c) {
-      if (!history.columns[c].starts_with(monitor.name + "_")) continue;
-      return from_zero(*history.find("time_s"), history.values[c]);
-    }
+    if (const auto* values = column_of(monitor, history).values) return from_zero(*history.find("time_s"), *values);
   }
   return {};
 }

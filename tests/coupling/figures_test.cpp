@@ -112,6 +112,24 @@ TEST_CASE("figures of a made-up run are those that it was made of, from the end 
   CHECK((*spectra.find("frequency_Hz"))[loudest] == Approx(130).margin(15));
 }
 
+TEST_CASE("monitors whose names begin alike keep their own columns", "[serial]") {
+  const Folder folder;
+  Case config = case_of({}, true);
+  config.microphones.clear();
+  MonitorSettings other = config.monitors.front();
+  other.name = "gap_2";
+  config.monitors.push_back(other);
+  std::ofstream file(folder.file("history.csv"));
+  file << "step,time_s,dt_s,gap_m,flow_m2_s,gap_2_m\n";
+  for (int n = 1; n <= 100; ++n) file << n << ',' << n * 1e-3 << ",1e-3,1,3,2\n";
+  file.close();
+  const Figures figures = evaluate_run(config, folder.path());
+  CHECK(figures.values.at("gap_peak_m") == 1);
+  CHECK(figures.values.at("gap_2_peak_m") == 2);
+  CHECK(figures.values.at("flow_mean_m2_s") == 3);
+  CHECK(figures.values.count("gap_peak_2_m") == 0);
+}
+
 TEST_CASE("every acoustic solver is read from its own file", "[serial]") {
   const Folder folder;
   write_history(folder);
