@@ -31,7 +31,8 @@ enum class FlowBoundaryKind {
 
 enum class VelocityProfile { uniform, parabolic };
 
-/// What happens on one named group of facets. The values rise from 0 to their full size as (1 - cos(π t / ramp)) / 2.
+/// What happens on one named group of facets. The values rise from 0 to their full size as (1 - cos(π t / ramp)) / 2,
+/// and go on as sin(2π t / period) if there is one.
 struct FlowBoundary {
   std::string group;
   FlowBoundaryKind kind = FlowBoundaryKind::wall;
@@ -40,6 +41,7 @@ struct FlowBoundary {
   VelocityProfile profile = VelocityProfile::uniform;  ///< parabolic: 1.5 times the mean in the middle (2-D), by the
                                                        ///< distance between the end points of the group
   double ramp = 0;                                     ///< [s]; 0: at once
+  double period = 0;                                   ///< [s], for `velocity`; 0: constant
 };
 
 enum class TimeScheme { theta, bdf2 };
@@ -50,7 +52,18 @@ struct TimeSettings {
   TimeScheme scheme = TimeScheme::bdf2;
   double theta = 0.5;        ///< one-leg θ in [0.5, 1]; ½ rings, ½ + O(dt) damps (Wick 2013)
   double smallest_step = 0;  ///< [s]; 0: dt / 64. A smaller step fails the run
+  double tolerance = 0;      ///< relative local error that the step adapts to; 0: the step stays dt
+  double largest_step = 0;   ///< [s] of an adaptive step; 0: dt
 };
+
+/// Velocity and pressure: both linear and stabilised, or Taylor–Hood on isoparametric cells.
+enum class Elements { p1p1, p2p1 };
+
+/// Where the fluid's mesh is during a step: found with the unknowns, or extrapolated before them.
+enum class Geometry { implicit, explicit_ };
+
+/// How the fluid's mesh follows the solids: linear elasticity alone, or a non-linear smoother where that gets bad.
+enum class Smoother { linear, nonlinear };
 
 struct FlowSettings {
   double density = 1.2;       ///< ρ [kg/m^3]
@@ -61,7 +74,14 @@ struct FlowSettings {
   double newton_tolerance = 1e-6;             ///< relative, per field and region
   int newton_iterations = 15;                 ///< a step that needs more is rejected and halved
   double backflow_stabilisation = 0.5;        ///< weight of -ρ (v·n)_- v·w at outlets, in [0, 1]
-  double mesh_stiffening = 1.0;               ///< exponent of 1 / volume in the elastic mesh smoother
+  Elements elements = Elements::p1p1;
+  Geometry geometry = Geometry::implicit;
+  bool streamline_stabilisation = true;  ///< orthogonal subscales of convection and divergence
+  bool pressure_stabilisation = true;    ///< of P1P1, which cannot do without
+  double mesh_stiffening = 1.0;          ///< exponent of 1 / volume in the elastic mesh smoother
+  Smoother smoother = Smoother::linear;
+  double smoother_quality =
+      0.3;  ///< below this smallest quality of the fluid's mesh the non-linear smoother takes over
 };
 
 }  // namespace vocalis::fsi
