@@ -107,6 +107,12 @@ StrippedMesh strip(const mesh::Mesh& parent, std::span<const std::int32_t> keep_
       mesh.edge_vertices.push_back(result.parent_to_vertex[parent.edge_vertices[2 * edge + end]]);
     }
   }
+  if (!parent.edge_points.empty()) {
+    for (const std::int32_t edge : result.edge_to_parent) {
+      const auto point = parent.edge_points.begin() + static_cast<std::ptrdiff_t>(edge) * parent.dimension;
+      mesh.edge_points.insert(mesh.edge_points.end(), point, point + parent.dimension);
+    }
+  }
   for (const std::int32_t vertex : result.vertex_to_parent) mesh.vertex_input.push_back(parent.vertex_input[vertex]);
   for (const mesh::NamedFacet& facet : parent.named_facets) {
     const std::int32_t cell = result.parent_to_cell[facet.cell];

@@ -103,6 +103,8 @@ std::vector<double> dof_points(const Space& space) {
       double& value = points[static_cast<std::size_t>(dof) * d + k];
       if (space.dof_vertex[dof] >= 0) {
         value = mesh.point(space.dof_vertex[dof])[k];
+      } else if (!mesh.edge_points.empty()) {
+        value = mesh.edge_points[static_cast<std::size_t>(space.dof_edge[dof]) * d + k];
       } else {
         const std::int32_t* ends = mesh.edge_vertices.data() + 2 * space.dof_edge[dof];
         value = 0.5 * (mesh.point(ends[0])[k] + mesh.point(ends[1])[k]);

@@ -33,7 +33,8 @@ Space lagrange(const mesh::Mesh& mesh, int degree);
 /// cell_label  (owned cells) label >= 0, or -1 where the space does not exist. Collective.
 Space lagrange(const mesh::Mesh& mesh, int degree, std::span<const std::int32_t> cell_label);
 
-/// Where each local dof is [m], (dofs, dimension): a vertex, or the middle of an edge.
+/// Where each local dof is [m], (dofs, dimension): a vertex, or the middle of an edge, on its curve where the mesh has
+/// curved edges. On straight cells they are where the P2 basis is 1; on curved ones they make the isoparametric map.
 std::vector<double> dof_points(const Space& space);
 
 }  // namespace vocalis::fem

@@ -70,6 +70,32 @@ void number_edges(Mesh& mesh) {
   for (std::int32_t& edge : mesh.cell_edges) edge = numbering.key_to_local[edge];
 }
 
+/// The middles of all edges, if any edge of any rank is curved. Copies agree, for every part has the same point.
+void place_edge_points(Mesh& mesh, const MeshPart& part) {
+  const int d = mesh.dimension;
+  std::map<std::array<std::int64_t, 2>, std::size_t> curved_edge;
+  for (std::size_t i = 0; 2 * i < part.curved_edges.size(); ++i) {
+    const auto ends =
+        std::minmax(part.vertex_input[part.curved_edges[2 * i]], part.vertex_input[part.curved_edges[2 * i + 1]]);
+    curved_edge[{ends.first, ends.second}] = i;
+  }
+  std::vector<double> points(static_cast<std::size_t>(mesh.edges.num_local()) * d);
+  std::int64_t num_curved = 0;
+  for (std::int32_t edge = 0; edge < mesh.edges.num_local(); ++edge) {
+    const std::int32_t a = mesh.edge_vertices[2 * edge], b = mesh.edge_vertices[2 * edge + 1];
+    const auto ends = std::minmax(mesh.vertex_input[a], mesh.vertex_input[b]);
+    const auto found = curved_edge.find({ends.first, ends.second});
+    double* point = points.data() + static_cast<std::size_t>(edge) * d;
+    if (found != curved_edge.end()) {
+      std::copy_n(part.curved_points.begin() + found->second * d, d, point);
+      ++num_curved;
+    } else {
+      for (int k = 0; k < d; ++k) point[k] = 0.5 * (mesh.point(a)[k] + mesh.point(b)[k]);
+    }
+  }
+  if (base::sum(mesh.comm, num_curved) > 0) mesh.edge_points = std::move(points);
+}
+
 /// The named facets of the part, found among the facets of its cells.
 void attach_named_facets(Mesh& mesh, const MeshPart& part) {
   const int d = mesh.dimension;
@@ -119,6 +145,7 @@ Mesh build_mesh(MPI_Comm comm, const MeshPart& part) {
   mesh.cells = base::contiguous_index_map(comm, static_cast<std::int32_t>(part.cell_region.size()));
   number_vertices(mesh, part);
   number_edges(mesh);
+  place_edge_points(mesh, part);
   connect_neighbours(mesh);
   attach_named_facets(mesh, part);
   return mesh;

@@ -32,6 +32,9 @@ struct Mesh {
   std::vector<double> coordinates;            ///< (vertices.num_local, dimension) [m]; ghosts current
   std::vector<std::int32_t> cell_vertices;    ///< (cells.num_owned, dimension + 1), positive volume
   std::vector<std::int32_t> edge_vertices;    ///< (edges.num_local, 2)
+  std::vector<double> edge_points;            ///< (edges.num_local, dimension) [m] middle of each edge on the true
+                                              ///< curve, as built: it does not follow vertices that move; ghosts
+                                              ///< current; empty where all edges are straight
   std::vector<std::int32_t> cell_edges;       ///< (cells.num_owned, 3 or 6), in the order of `edges_of_cell`
   std::vector<std::int32_t> cell_neighbours;  ///< (cells.num_owned, dimension + 1) across the facet opposite to each
                                               ///< vertex: a local cell (ghosts too), or -1
@@ -67,11 +70,13 @@ struct MeshPart {
   std::vector<std::int32_t> cell_region;
   std::vector<std::int32_t> facet_vertices;  ///< (named facets, dimension) indices into vertex_input
   std::vector<std::int32_t> facet_group;
+  std::vector<std::int32_t> curved_edges;  ///< (curved edges, 2) indices into vertex_input; in every part with both
+  std::vector<double> curved_points;       ///< (curved edges, dimension) [m] their middles; other edges are straight
   std::vector<std::string> region_names, group_names;
 };
 
 /// Finds shared vertices and edges, gives each one owner (the lowest rank with a cell there), and the neighbours
-/// across facets. A named facet that no cell of the part has is dropped. Collective.
+/// across facets. A named facet or a curved edge that no cell of the part has is dropped. Collective.
 Mesh build_mesh(MPI_Comm comm, const MeshPart& part);
 
 }  // namespace vocalis::mesh

@@ -18,7 +18,8 @@ static_assert(sizeof(idx_t) == sizeof(std::int32_t), "METIS is built with 32-bit
 /// What rank 0 sends to one rank, as two flat lists.
 struct Parcel {
   std::unordered_map<std::int64_t, std::int64_t> whole_to_part;
-  std::vector<std::int64_t> vertex_input, cell_vertices, cell_region, facet_vertices, facet_group;
+  std::vector<std::int64_t> vertex_input, cell_vertices, cell_region, facet_vertices, facet_group, curved_edges;
+  std::vector<double> curved_points;
 
   std::int64_t vertex(std::int64_t whole) {
     const auto [entry, is_new] = whole_to_part.try_emplace(whole, static_cast<std::int64_t>(vertex_input.size()));
@@ -42,6 +43,15 @@ std::vector<Parcel> pack(const WholeMesh& mesh, const std::vector<std::int32_t>&
       if (!here) continue;
       for (int i = 0; i < d; ++i) parcel.facet_vertices.push_back(parcel.whole_to_part.at(corners[i]));
       parcel.facet_group.push_back(mesh.facet_group[facet]);
+    }
+  }
+  for (std::size_t edge = 0; 2 * edge < mesh.curved_edges.size(); ++edge) {
+    const std::int64_t* ends = mesh.curved_edges.data() + 2 * edge;
+    for (Parcel& parcel : parcels) {
+      if (!parcel.whole_to_part.contains(ends[0]) || !parcel.whole_to_part.contains(ends[1])) continue;
+      for (int i = 0; i < 2; ++i) parcel.curved_edges.push_back(parcel.whole_to_part.at(ends[i]));
+      const auto point = mesh.curved_points.begin() + static_cast<std::ptrdiff_t>(edge) * d;
+      parcel.curved_points.insert(parcel.curved_points.end(), point, point + d);
     }
   }
   return parcels;
@@ -116,8 +126,8 @@ MeshPart scatter(MPI_Comm comm, const WholeMesh& mesh, const std::vector<std::in
   part.dimension = dimension[0];
   part.region_names = broadcast_names(comm, mesh.region_names);
   part.group_names = broadcast_names(comm, mesh.group_names);
-  std::vector<std::vector<std::int64_t>> inputs, cells, regions, facets, groups;
-  std::vector<std::vector<double>> points;
+  std::vector<std::vector<std::int64_t>> inputs, cells, regions, facets, groups, curved_edges;
+  std::vector<std::vector<double>> points, curved_points;
   for (Parcel& parcel : parcels) {
     auto& point = points.emplace_back();
     for (const std::int64_t v : parcel.vertex_input) {
@@ -129,6 +139,8 @@ MeshPart scatter(MPI_Comm comm, const WholeMesh& mesh, const std::vector<std::in
     regions.push_back(std::move(parcel.cell_region));
     facets.push_back(std::move(parcel.facet_vertices));
     groups.push_back(std::move(parcel.facet_group));
+    curved_edges.push_back(std::move(parcel.curved_edges));
+    curved_points.push_back(std::move(parcel.curved_points));
   }
   part.vertex_input = deal(comm, std::move(inputs));
   part.coordinates = deal(comm, std::move(points));
@@ -136,6 +148,8 @@ MeshPart scatter(MPI_Comm comm, const WholeMesh& mesh, const std::vector<std::in
   part.cell_region = narrow(deal(comm, std::move(regions)));
   part.facet_vertices = narrow(deal(comm, std::move(facets)));
   part.facet_group = narrow(deal(comm, std::move(groups)));
+  part.curved_edges = narrow(deal(comm, std::move(curved_edges)));
+  part.curved_points = deal(comm, std::move(curved_points));
   return part;
 }
 

@@ -16,6 +16,8 @@ struct WholeMesh {
   std::vector<std::int32_t> cell_region;
   std::vector<std::int64_t> facet_vertices;  ///< (named facets, dimension)
   std::vector<std::int32_t> facet_group;
+  std::vector<std::int64_t> curved_edges;  ///< (curved edges, 2) vertices of the edges that are not straight
+  std::vector<double> curved_points;       ///< (curved edges, dimension) [m] middle of each on the true curve
   std::vector<std::string> region_names, group_names;
 
   std::int64_t num_cells() const { return static_cast<std::int64_t>(cell_region.size()); }

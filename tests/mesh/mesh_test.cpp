@@ -15,13 +15,16 @@ using namespace vocalis;
 namespace {
 
 /// Cells dealt out like cards: no rank has two neighbours in a row, and every vertex is shared.
-mesh::Mesh dealt_box(std::array<double, 3> size, std::array<int, 3> cells) {
-  const mesh::WholeMesh whole = mesh::box(MPI_COMM_WORLD, size, cells);
+mesh::Mesh dealt(const mesh::WholeMesh& whole) {
   std::vector<std::int32_t> rank;
   for (std::int64_t cell = 0; cell < whole.num_cells(); ++cell) {
     rank.push_back(static_cast<std::int32_t>(cell % base::size(MPI_COMM_WORLD)));
   }
   return mesh::build_mesh(MPI_COMM_WORLD, mesh::scatter(MPI_COMM_WORLD, whole, rank));
+}
+
+mesh::Mesh dealt_box(std::array<double, 3> size, std::array<int, 3> cells) {
+  return dealt(mesh::box(MPI_COMM_WORLD, size, cells));
 }
 
 double total_volume(const mesh::Mesh& mesh) {
@@ -147,6 +150,43 @@ TEST_CASE("two triangles on two ranks give the arrays drawn here") {
     CHECK(mesh.cells.ghost_global == Numbers{0});
     // Across the facet opposite to vertex 2 lies the ghost, local cell 1.
     CHECK(mesh.cell_neighbours == std::vector<std::int32_t>{-1, -1, 1});
+  }
+}
+
+TEST_CASE("curved edges have their own middles on all ranks, straight ones the mean of their ends") {
+  for (const double depth : {0.0, 1.0}) {
+    mesh::WholeMesh whole = mesh::box(MPI_COMM_WORLD, {1, 1, depth}, {2, 2, 2});
+    const int d = whole.dimension;
+    CHECK(dealt(whole).edge_points.empty());
+    // The edges that end at vertex 0 bulge, as if seen from the other end; the last pair is no edge of any cell.
+    std::set<std::int64_t> far_ends;
+    for (std::int64_t cell = 0; cell < whole.num_cells(); ++cell) {
+      const auto first = whole.cell_vertices.begin() + cell * (d + 1);
+      if (std::find(first, first + d + 1, 0) == first + d + 1) continue;
+      far_ends.insert(first, first + d + 1);
+    }
+    far_ends.erase(0);
+    if (base::rank(MPI_COMM_WORLD) == 0) far_ends.insert(static_cast<std::int64_t>(whole.coordinates.size()) / d - 1);
+    for (const std::int64_t end : far_ends) {
+      whole.curved_edges.insert(whole.curved_edges.end(), {end, 0});
+      for (int k = 0; k < d; ++k) whole.curved_points.push_back(static_cast<double>(end) + 0.25 * k);
+    }
+    const mesh::Mesh mesh = dealt(whole);
+    REQUIRE_ON_ALL_RANKS(mesh.edge_points.size() == static_cast<std::size_t>(mesh.edges.num_local()) * d);
+    bool right = true;
+    std::int64_t num_curved = 0;
+    for (std::int32_t edge = 0; edge < mesh.edges.num_local(); ++edge) {
+      const std::int32_t* ends = mesh.edge_vertices.data() + 2 * edge;
+      const auto [low, high] = std::minmax(mesh.vertex_input[ends[0]], mesh.vertex_input[ends[1]]);
+      if (low == 0 && edge < mesh.edges.num_owned) ++num_curved;
+      for (int k = 0; k < d; ++k) {
+        const double straight = 0.5 * (mesh.point(ends[0])[k] + mesh.point(ends[1])[k]);
+        const double wanted = low == 0 ? static_cast<double>(high) + 0.25 * k : straight;
+        right = right && mesh.edge_points[edge * d + k] == wanted;
+      }
+    }
+    CHECK(right);
+    CHECK(base::sum(MPI_COMM_WORLD, num_curved) == (d == 2 ? 3 : 7));
   }
 }
 

@@ -18,6 +18,20 @@ double middle(const mesh::WholeMesh& mesh, std::int64_t cell, int axis) {
   return sum / (mesh.dimension + 1);
 }
 
+/// Gives edges of some cells a middle somewhere near. Cells that share one may name it twice, with the same point.
+void bend_some_edges(Random& random, mesh::WholeMesh& mesh) {
+  const int d = mesh.dimension;
+  if (draw(random, 2) == 0) return;
+  for (std::int64_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    if (draw(random, 4) != 0) continue;
+    const std::int64_t* ends = mesh.cell_vertices.data() + cell * (d + 1);
+    mesh.curved_edges.insert(mesh.curved_edges.end(), ends, ends + 2);
+    for (int k = 0; k < d; ++k) {
+      mesh.curved_points.push_back(0.1 + 0.5 * (mesh.coordinates[ends[0] * d + k] + mesh.coordinates[ends[1] * d + k]));
+    }
+  }
+}
+
 mesh::WholeMesh shuffled_box(Random& random) {
   const bool solid = draw(random, 3) == 0;
   const int most = solid ? 2 : 4;
@@ -43,6 +57,7 @@ mesh::WholeMesh shuffled_box(Random& random) {
     box.facet_vertices.insert(box.facet_vertices.end(), first, first + box.dimension);
     box.facet_group.push_back(static_cast<std::int32_t>(box.group_names.size()) - 1);
   }
+  bend_some_edges(random, box);
   return box;
 }
 

@@ -175,6 +175,24 @@ std::string check_cells(const RandomCase& from, const std::vector<std::int32_t>&
   return wrong;
 }
 
+std::string check_edge_points(const RandomCase& from, const mesh::Mesh& mesh, const std::vector<Name>& edge_names) {
+  if (from.whole.curved_edges.empty()) return mesh.edge_points.empty() ? "" : "edge points of straight edges\n";
+  const int d = mesh.dimension;
+  std::vector<double> expected;
+  for (const Name& ends : edge_names) {
+    std::vector<double> point;
+    for (int k = 0; k < d; ++k) {
+      point.push_back(0.5 * (from.whole.coordinates[ends[0] * d + k] + from.whole.coordinates[ends[1] * d + k]));
+    }
+    for (std::size_t i = 0; 2 * i < from.whole.curved_edges.size(); ++i) {
+      if (sorted({from.whole.curved_edges[2 * i], from.whole.curved_edges[2 * i + 1]}) != ends) continue;
+      std::copy_n(from.whole.curved_points.begin() + static_cast<std::ptrdiff_t>(i) * d, d, point.begin());
+    }
+    expected.insert(expected.end(), point.begin(), point.end());
+  }
+  return mesh.edge_points == expected ? "" : "edge points\n";
+}
+
 }  // namespace
 
 std::string check_strip(const RandomCase& from, const std::vector<std::int32_t>& mask, const mesh::Mesh& parent,
@@ -199,7 +217,7 @@ std::string check_strip(const RandomCase& from, const std::vector<std::int32_t>&
                  owners(from, mask, true)) +
       check_kind({"cells", mesh.cells, mesh.cell_halo, cells, stripped.cell_to_parent, stripped.parent_to_cell},
                  cell_owners);
-  return wrong + check_cells(from, mask, stripped, cells);
+  return wrong + check_cells(from, mask, stripped, cells) + check_edge_points(from, mesh, edges);
 }
 
 }  // namespace vocalis::transfer
