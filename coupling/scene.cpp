@@ -41,8 +41,9 @@ std::unique_ptr<transfer::StrippedMesh> strip_by_kind(const Scene& scene, bool (
 
 std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config) {
   const MeshSettings& source = config.mesh;
-  const mesh::WholeMesh whole =
-      source.is_geometry ? io::mesh_geometry(comm, source.file, source.parameters) : io::read_mesh(comm, source.file);
+  const bool curved = config.flow && config.flow->elements == fsi::Elements::p2p1;
+  const mesh::WholeMesh whole = source.is_geometry ? io::mesh_geometry(comm, source.file, source.parameters, curved)
+                                                   : io::read_mesh(comm, source.file, curved);
   check_case_against_mesh_names(config, whole.dimension, whole.region_names, whole.group_names);
   auto scene = std::make_unique<Scene>();
   const bool flow = config.flow.has_value();

@@ -19,7 +19,8 @@ struct Scene {
 };
 
 /// Reads or makes the mesh, distributes it and strips it. Cells are shared out so that the flow's work and the
-/// acoustics' work are balanced each by itself. Throws UserError for what the mesh does not have. Collective.
+/// acoustics' work are balanced each by itself. A flow with P2 velocities gets curved edges. Throws UserError for what
+/// the mesh does not have. Collective.
 std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config);
 
 /// Where the flow ends inside the air: facets of the flow mesh whose neighbour in the parent is air.

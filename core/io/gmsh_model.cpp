@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.hpp"
+#include "core/io/gmsh_curved_edges.hpp"
 
 namespace vocalis::io {
 
@@ -17,9 +18,10 @@ namespace {
 
 /// Elements of one dimension that belong to named groups.
 struct Elements {
-  std::vector<std::size_t> nodes;   ///< (elements, dimension + 1) tags of Gmsh
-  std::vector<std::int32_t> group;  ///< of each element
-  std::vector<std::string> names;   ///< of the groups
+  std::vector<std::size_t> nodes;    ///< (elements, dimension + 1) tags of Gmsh
+  std::vector<std::size_t> middles;  ///< (elements, 3 or 6) of cells, in the order of `edges_of_cell`; 0: none
+  std::vector<std::int32_t> group;   ///< of each element
+  std::vector<std::string> names;    ///< of the groups
 };
 
 int highest_dimension(const std::string& path) {
@@ -33,22 +35,48 @@ int highest_dimension(const std::string& path) {
                         "give the geometry surfaces or volumes");
 }
 
+void refuse_type(const std::string& path, int type) {
+  std::string name;
+  int dimension = 0, order = 0, num_nodes = 0, num_corners = 0;
+  std::vector<double> points;
+  gmsh::model::mesh::getElementProperties(type, name, dimension, order, num_nodes, points, num_corners);
+  throw base::UserError(
+      path + ": cells must be triangles or tetrahedra of first or second order", name,
+      num_corners == dimension + 1 ? "set Mesh.ElementOrder = 1 or 2" : "do not recombine (Recombine Surface, Layers)");
+}
+
+/// Adds the nodes of one second-order element: Gmsh lists the corners, then the middles of its edges.
+void add_second_order(int dimension, const std::size_t* nodes, Elements& elements) {
+  // A tetrahedron's last two edges are in the other order here.
+  constexpr std::array<int, 3> of_triangle = {3, 4, 5};
+  constexpr std::array<int, 6> of_tetrahedron = {4, 5, 6, 7, 9, 8};
+  elements.nodes.insert(elements.nodes.end(), nodes, nodes + dimension + 1);
+  if (dimension == 2) {
+    for (const int middle : of_triangle) elements.middles.push_back(nodes[middle]);
+  } else if (dimension == 3) {
+    for (const int middle : of_tetrahedron) elements.middles.push_back(nodes[middle]);
+  }
+}
+
 /// Adds an entity's elements to a group.
 void add_entity(const std::string& path, int dimension, int entity, std::int32_t group, Elements& elements) {
-  constexpr std::array<int, 4> simplex_type = {15, 1, 2, 4};
+  constexpr std::array<int, 4> first_order = {15, 1, 2, 4}, second_order = {15, 8, 9, 11}, num_nodes = {1, 3, 6, 10};
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> tags, nodes;
   gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
   for (std::size_t t = 0; t < types.size(); ++t) {
-    if (types[t] != simplex_type[dimension]) {
-      std::string name;
-      int its_dimension = 0, order = 0, num_nodes = 0, num_corners = 0;
-      std::vector<double> points;
-      gmsh::model::mesh::getElementProperties(types[t], name, its_dimension, order, num_nodes, points, num_corners);
-      throw base::UserError(path + ": cells must be linear triangles or tetrahedra", name,
-                            order > 1 ? "set Mesh.ElementOrder = 1" : "do not recombine (Recombine Surface, Layers)");
+    if (types[t] == first_order[dimension]) {
+      elements.nodes.insert(elements.nodes.end(), nodes[t].begin(), nodes[t].end());
+      if (dimension > 1) {
+        elements.middles.resize(elements.middles.size() + tags[t].size() * mesh::edges_of_cell(dimension).size(), 0);
+      }
+    } else if (types[t] == second_order[dimension]) {
+      for (std::size_t e = 0; e < tags[t].size(); ++e) {
+        add_second_order(dimension, nodes[t].data() + e * num_nodes[dimension], elements);
+      }
+    } else {
+      refuse_type(path, types[t]);
     }
-    elements.nodes.insert(elements.nodes.end(), nodes[t].begin(), nodes[t].end());
     elements.group.insert(elements.group.end(), tags[t].size(), group);
   }
 }
@@ -135,6 +163,20 @@ std::unordered_map<std::size_t, std::int64_t> number_vertices(const std::string&
   return number;
 }
 
+/// The edges of the second-order cells, one that cells share once for each of them.
+std::vector<EdgeMiddle> edge_middles(int dimension, const Elements& cells,
+                                     const std::unordered_map<std::size_t, std::int64_t>& number) {
+  const auto pairs = mesh::edges_of_cell(dimension);
+  std::vector<EdgeMiddle> result;
+  for (std::size_t i = 0; i < cells.middles.size(); ++i) {
+    if (cells.middles[i] == 0) continue;
+    const std::size_t* corners = cells.nodes.data() + i / pairs.size() * (dimension + 1);
+    const auto& [a, b] = pairs[i % pairs.size()];
+    result.push_back({number.at(corners[a]), number.at(corners[b]), cells.middles[i]});
+  }
+  return result;
+}
+
 double signed_measure(const mesh::WholeMesh& mesh, const std::int64_t* vertices, double& longest_edge) {
   const int d = mesh.dimension;
   std::array<std::array<double, 3>, 3> e{};
@@ -172,7 +214,7 @@ void orient_cells(const std::string& path, mesh::WholeMesh& mesh) {
 
 }  // namespace
 
-mesh::WholeMesh extract_model(const std::string& path) {
+mesh::WholeMesh extract_model(const std::string& path, bool curved) {
   mesh::WholeMesh mesh;
   mesh.dimension = highest_dimension(path);
   Elements cells = grouped_elements(path, mesh.dimension);
@@ -183,6 +225,7 @@ mesh::WholeMesh extract_model(const std::string& path) {
   mesh.cell_region = std::move(cells.group);
   mesh.region_names = std::move(cells.names);
   orient_cells(path, mesh);
+  if (curved) add_curved_edges(path, edge_middles(mesh.dimension, cells, number), mesh);
 
   const int d = mesh.dimension;
   for (std::size_t f = 0; f < facets.group.size(); ++f) {

@@ -9,11 +9,12 @@
 
 namespace vocalis::io {
 
-mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std::map<std::string, double>& parameters) {
+mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std::map<std::string, double>& parameters,
+                              bool curved) {
   mesh::WholeMesh mesh;
   base::on_first_rank(comm, [&] {
-    const GmshSession session(path, parameters);
-    mesh = extract_model(path);
+    const GmshSession session(path, parameters, curved);
+    mesh = extract_model(path, curved);
   });
   std::vector<std::int32_t> dimension = {mesh.dimension};
   base::broadcast(comm, dimension);
@@ -23,6 +24,8 @@ mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std:
   return mesh;
 }
 
-mesh::WholeMesh read_mesh(MPI_Comm comm, const std::string& path) { return mesh_geometry(comm, path, {}); }
+mesh::WholeMesh read_mesh(MPI_Comm comm, const std::string& path, bool curved) {
+  return mesh_geometry(comm, path, {}, curved);
+}
 
 }  // namespace vocalis::io

@@ -16,14 +16,19 @@ namespace vocalis::io {
 /// groups of one name are one. Lengths are in metres. Vertices that no cell has are left out, and cells are turned to
 /// positive volume. Deterministic: the same geometry and parameters give the same mesh.
 ///
+/// curved   whether to keep the middles of edges on curved boundaries, for isoparametric cells; the rest of the mesh is
+///          the same without
 /// returns  the whole mesh on rank 0, its dimension and names everywhere
 /// Collective. Throws UserError on every rank: file missing, Gmsh's own errors with file and line, a parameter that the
 /// geometry does not define, and whatever `read_mesh` rejects.
-mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std::map<std::string, double>& parameters);
+mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std::map<std::string, double>& parameters,
+                              bool curved = false);
 
-/// Reads any mesh file that Gmsh reads (and meshes one that has no cells yet). The same rules.
-/// Throws UserError: no cells; cells that are no linear triangles or tetrahedra, that belong to no region or several,
-/// or that have no volume; physical groups without a name; coordinates that are not finite.
-mesh::WholeMesh read_mesh(MPI_Comm comm, const std::string& path);
+/// Reads any mesh file that Gmsh reads (and meshes one that has no cells yet). The same rules. A file knows no curves
+/// but those of its second-order cells, whose middle nodes are left out unless `curved`.
+/// Throws UserError: no cells; cells that are no triangles or tetrahedra of first or second order, that belong to no
+/// region or several, that have no volume, or that their curved edges turn inside out; physical groups without a name;
+/// coordinates that are not finite.
+mesh::WholeMesh read_mesh(MPI_Comm comm, const std::string& path, bool curved = false);
 
 }  // namespace vocalis::io

@@ -79,14 +79,18 @@ class Prelude {
   std::string path_;
 };
 
-bool has_cells() {
+/// Gmsh's types of the elements of one dimension.
+std::vector<int> element_types(int dimension) {
   std::vector<int> types;
-  std::vector<std::vector<std::size_t>> tags, nodes;
-  for (const int dimension : {2, 3}) {
-    gmsh::model::mesh::getElements(types, tags, nodes, dimension);
-    if (!types.empty()) return true;
-  }
-  return false;
+  gmsh::model::mesh::getElementTypes(types, dimension);
+  return types;
+}
+
+bool has_cells() { return !element_types(2).empty() || !element_types(3).empty(); }
+
+bool has_second_order_cells() {
+  const std::vector<int> triangles = element_types(2), tetrahedra = element_types(3);
+  return std::count(triangles.begin(), triangles.end(), 9) + std::count(tetrahedra.begin(), tetrahedra.end(), 11) > 0;
 }
 
 void throw_logged_errors(const std::string& path) {
@@ -109,13 +113,13 @@ void close_library() {
 
 }  // namespace
 
-GmshSession::GmshSession(const std::string& path, const std::map<std::string, double>& parameters) {
+GmshSession::GmshSession(const std::string& path, const std::map<std::string, double>& parameters, bool curved) {
   check_file(path);
   if (is_geometry(path)) check_last_lines(path);
   check_parameters(path, parameters);
   gmsh::initialize(0, nullptr, false);
   try {
-    open(path, parameters);
+    open(path, parameters, curved);
   } catch (...) {
     close_library();
     throw;
@@ -124,7 +128,7 @@ GmshSession::GmshSession(const std::string& path, const std::map<std::string, do
 
 GmshSession::~GmshSession() { close_library(); }
 
-void GmshSession::open(const std::string& path, const std::map<std::string, double>& parameters) {
+void GmshSession::open(const std::string& path, const std::map<std::string, double>& parameters, bool curved) {
   gmsh::option::setNumber("General.Terminal", 0);
   // Threads may finish in any order, and the mesh must be the same each time.
   gmsh::option::setNumber("General.NumThreads", 1);
@@ -140,8 +144,14 @@ void GmshSession::open(const std::string& path, const std::map<std::string, doub
     gmsh::open(path);
   }
   throw_logged_errors(path);
+  const bool is_drawn = is_geometry(path) || !has_cells();
   if (!has_cells()) {
     gmsh::model::mesh::generate(gmsh::model::getDimension());
+    throw_logged_errors(path);
+  }
+  // Anew, Gmsh would lose the middles of a second-order mesh that the geometry merges.
+  if (curved && is_drawn && !has_second_order_cells()) {
+    gmsh::model::mesh::setOrder(2);
     throw_logged_errors(path);
   }
 }

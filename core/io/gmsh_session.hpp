@@ -9,14 +9,15 @@ namespace vocalis::io {
 /// a time, for the library is a global.
 class GmshSession {
  public:
-  /// Opens a file, and meshes it if it came without cells. Throws UserError with Gmsh's own words.
-  GmshSession(const std::string& path, const std::map<std::string, double>& parameters);
+  /// Opens a file, and meshes it if it came without cells. If `curved`, the linear cells of a geometry get nodes in the
+  /// middles of their edges, on its curves and surfaces. Throws UserError with Gmsh's own words.
+  GmshSession(const std::string& path, const std::map<std::string, double>& parameters, bool curved);
   ~GmshSession();
   GmshSession(const GmshSession&) = delete;
   GmshSession& operator=(const GmshSession&) = delete;
 
  private:
-  void open(const std::string& path, const std::map<std::string, double>& parameters);
+  void open(const std::string& path, const std::map<std::string, double>& parameters, bool curved);
 };
 
 }  // namespace vocalis::io

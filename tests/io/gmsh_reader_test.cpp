@@ -155,7 +155,7 @@ TEST_CASE("bad meshes are refused on every rank in words that help") {
              Contains("group 8"));
   CHECK_THAT(error_of_file(folder, "quadrilaterals.geo", rectangle + names + "Recombine Surface{1};\n"),
              Contains("Quad"));
-  CHECK_THAT(error_of_file(folder, "curved.geo", rectangle + names + "Mesh.ElementOrder = 2;\n"),
+  CHECK_THAT(error_of_file(folder, "third_order.geo", rectangle + names + "Mesh.ElementOrder = 3;\n"),
              Contains("Mesh.ElementOrder"));
   CHECK_THAT(
       error_of_file(folder, "tilted.geo", rectangle + names + "Rotate {{1, 0, 0}, {0, 0, 0}, 1} { Surface{1}; }\n"),
