@@ -1,6 +1,6 @@
 # One library a folder: vocalis_library(NAME FOLDER path LINK targets... [EXCLUDE files...])
 add_library(vocalis_options INTERFACE)
-target_compile_options(vocalis_options INTERFACE -Wall -Wextra $<$<BOOL:${VOCALIS_WERROR}>:-Werror>
+target_compile_options(vocalis_options INTERFACE -Wall -Wextra -Wno-psabi $<$<BOOL:${VOCALIS_WERROR}>:-Werror>
                        $<$<BOOL:${VOCALIS_NATIVE}>:-march=native>)
 target_include_directories(vocalis_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(vocalis_options INTERFACE VOCALIS_VERSION="${PROJECT_VERSION}")

@@ -28,15 +28,15 @@ std::vector<double> FlowHistory::vertex_pressure() const {
 }
 
 fem::Field FlowHistory::displacement_end() const {
-  fem::Field result(space_, scene_.flow->mesh.dimension);
-  if (!flow_.state().displacement.values.empty()) result.values = flow_.state().displacement.values;
+  fem::Field result = flow_.displacement_at_vertices();
+  result.space = &space_;
   return result;
 }
 
 void FlowHistory::begin_step() {
   time_begin_ = flow_.state().time;
   pressure_begin_ = vertex_pressure();
-  velocity_begin_ = flow_.state().velocity.values;
+  velocity_begin_ = flow_.velocity_at_vertices().values;
   displacement_begin_ = displacement_end();
 }
 
@@ -51,7 +51,7 @@ FlowView FlowHistory::view() const {
   view.pressure_begin = pressure_begin_;
   view.pressure_end = vertex_pressure();
   view.velocity_begin = velocity_begin_;
-  view.velocity_end = flow_.state().velocity.values;
+  view.velocity_end = flow_.velocity_at_vertices().values;
   const fem::Field end = displacement_end();
   const double dt = view.time_end - view.time_begin;
   view.coordinates_middle = mesh.coordinates;

@@ -164,8 +164,8 @@ void RunOutput::write_fields(Simulation& simulation) {
     for (std::size_t v = 0; v < vertex_is_wet_.size(); ++v) {
       if (!vertex_is_wet_[v]) pressure.values[v] = undefined;
     }
-    add("velocity", *flow_to_parent_, flow->state().velocity);
-    add("displacement", *flow_to_parent_, flow->state().displacement);
+    add("velocity", *flow_to_parent_, flow->velocity_at_vertices());
+    add("displacement", *flow_to_parent_, flow->displacement_at_vertices());
     add("pressure", *flow_to_parent_, pressure);
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {

@@ -12,6 +12,7 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
     flow_ = std::make_unique<fsi::FsiSolver>(scene.flow->mesh, *config.flow, config.time);
     history_ = std::make_unique<FlowHistory>(scene, *flow_);
     monitors_ = std::make_unique<Monitors>(scene.flow->mesh, config.monitors);
+    if (config.statistics) check_statistics(*config.statistics, monitors_->columns());
   }
   if (config.source) source_.emplace(config.source->pulse);
   for (const acoustic::AcousticSettings& settings : config.acoustics) {
@@ -63,7 +64,7 @@ void Simulation::step_voices(double dt, StepOutcome& outcome) {
 
 std::vector<double> Simulation::monitor_values() const {
   if (!monitors_) return {};
-  return monitors_->evaluate({flow_->current_coordinates(), flow_->state().velocity.values});
+  return monitors_->evaluate({flow_->current_coordinates(), flow_->velocity_at_vertices().values});
 }
 
 void Simulation::drop_caches() {

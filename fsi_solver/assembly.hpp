@@ -10,8 +10,8 @@
 
 namespace vocalis::fsi {
 
-/// The unknowns (v⁺, p, π) of a step as one system: residual and Jacobian. π is the lumped projection of the pressure
-/// gradient; kept as an unknown, it makes the stabilisation local to cells.
+/// The unknowns of a step as one system: residual and Jacobian. They are (v⁺, p), and with P1P1 π, the lumped
+/// projection of the pressure gradient; kept as an unknown, it makes the stabilisation local to cells.
 class Assembly {
  public:
   /// All references must outlive this. Collective.
@@ -31,32 +31,45 @@ class Assembly {
 
   /// Of the step that has begun.
   Stabilisation& stabilisation() { return stabilisation_; }
+  const Stabilisation& stabilisation() const { return stabilisation_; }
 
   /// Results at the unknowns of the last `residual`.
-  const fem::Field& end_velocity() const { return fields_.end_velocity(); }
-  const fem::Field& end_displacement() const { return fields_.end_displacement(); }
-  const fem::Field& pressure() const { return fields_.pressure(); }
+  const StageFields& fields() const { return fields_; }
+  /// Forces [N] on the momentum of each dof that essential conditions take up, ∂(power)/∂v, at the stage of the last
+  /// `residual`; zero at the others. Owned dofs.
+  const std::vector<double>& reactions() const { return reactions_; }
 
  private:
+  template <class Function>
+  void with_element(const Function& function);
   void find_held_rows();
+  void sort_tractions();
   std::vector<PetscInt> rows_of_cells() const;
-  template <int D>
+  template <int D, int Degree>
   void sum_cells(ResidualSums& sums);
-  template <int D>
+  template <int D, int Degree>
   void sum_tractions(ResidualSums& sums);
   void sum_over_ranks(ResidualSums& sums);
-  template <int D>
+  template <int D, int Degree>
   void sum_jacobian();
+
+  /// Facets of one boundary that are opposite to the same corner of fluid cells, or of one solid's.
+  struct TractionBatches {
+    int boundary = 0, facet = 0;
+    CellBatches batches;
+  };
 
   const Continuum& continuum_;
   const FlowSettings& settings_;
   const Conditions& conditions_;
   StageFields fields_;
   Stabilisation stabilisation_;
+  std::vector<TractionBatches> tractions_;
   std::vector<PetscInt> held_rows_;  ///< owned positions with an essential value
   std::unique_ptr<la::AssembledMatrix> matrix_;
   std::vector<double> cell_matrices_;
   fem::Load momentum_, mass_, slope_;
+  std::vector<double> reactions_;
 };
 
 }  // namespace vocalis::fsi

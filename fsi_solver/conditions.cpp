@@ -74,22 +74,23 @@ class Profile {
   double radius_ = 1;
 };
 
-/// What each velocity component of each vertex obeys, while the boundaries are gone through.
+/// What each component at each dof obeys, while the boundaries are gone through.
 class Book {
  public:
-  explicit Book(const Mesh& mesh) : mesh_(mesh), of_(static_cast<std::size_t>(mesh.num_vertices()) * mesh.dimension) {}
+  /// points  (dofs, dimension) [m]
+  Book(const std::vector<double>& points, int dimension) : points_(points), d_(dimension), of_(points.size()) {}
 
   /// axis -1: all components
   void hold(const std::vector<std::int32_t>& marks, int axis) {
-    visit(marks, axis, [](PrescribedComponent& entry, std::int32_t) {
+    visit(marks, axis, [](PrescribedComponent& entry, std::size_t) {
       entry.boundary = -1;
       entry.factor = 1;
     });
   }
   void drive(const std::vector<std::int32_t>& marks, int boundary, const std::function<double(const double*)>& factor) {
-    visit(marks, -1, [&](PrescribedComponent& entry, std::int32_t vertex) {
+    visit(marks, -1, [&](PrescribedComponent& entry, std::size_t dof) {
       entry.boundary = boundary;
-      entry.factor = factor(mesh_.point(vertex));
+      entry.factor = factor(points_.data() + dof * d_);
     });
   }
   std::vector<PrescribedComponent> list() const {
@@ -97,8 +98,8 @@ class Book {
     for (std::size_t i = 0; i < of_.size(); ++i) {
       if (!known_[i]) continue;
       result.push_back(of_[i]);
-      result.back().vertex = static_cast<std::int32_t>(i / mesh_.dimension);
-      result.back().component = static_cast<int>(i % mesh_.dimension);
+      result.back().dof = static_cast<std::int32_t>(i / d_);
+      result.back().component = static_cast<int>(i % d_);
     }
     return result;
   }
@@ -106,17 +107,17 @@ class Book {
  private:
   template <class Change>
   void visit(const std::vector<std::int32_t>& marks, int axis, Change change) {
-    for (std::int32_t v = 0; v < mesh_.num_vertices(); ++v) {
-      if (!marks[v]) continue;
-      for (int k = 0; k < mesh_.dimension; ++k) {
+    for (std::size_t dof = 0; dof < marks.size(); ++dof) {
+      if (!marks[dof]) continue;
+      for (int k = 0; k < d_; ++k) {
         if (axis >= 0 && k != axis) continue;
-        const std::size_t i = static_cast<std::size_t>(v) * mesh_.dimension + k;
-        known_[i] = 1;
-        change(of_[i], v);
+        known_[dof * d_ + k] = 1;
+        change(of_[dof * d_ + k], dof);
       }
     }
   }
-  const Mesh& mesh_;
+  const std::vector<double>& points_;
+  int d_;
   std::vector<PrescribedComponent> of_;
   std::vector<char> known_ = std::vector<char>(of_.size(), 0);
 };
@@ -147,7 +148,8 @@ Conditions make_conditions(const Continuum& continuum, const FlowSettings& setti
   const int d = mesh.dimension;
   Conditions result;
   result.boundaries = settings.boundaries;
-  Book velocity(mesh), motion(mesh);
+  Book velocity(continuum.reference_points, d), motion(mesh.coordinates, d);
+  const fem::Space& space = continuum.velocity_space;
   const auto hold_mesh = [&](std::vector<NamedFacet> facets, int axis) {
     std::erase_if(facets, [&](const NamedFacet& facet) { return continuum.cell_solid[facet.cell] >= 0; });
     motion.hold(mesh::mark_vertices(mesh, facets), axis);
@@ -162,7 +164,7 @@ Conditions make_conditions(const Continuum& continuum, const FlowSettings& setti
     const std::vector<NamedFacet> facets = exterior_facets_of(mesh, boundary.group);
     const auto index = static_cast<int>(i);
     if (boundary.kind == FlowBoundaryKind::velocity) {
-      const std::vector<std::int32_t> marks = mesh::mark_vertices(mesh, facets);
+      const std::vector<std::int32_t> marks = mark_dofs(space, facets);
       if (boundary.profile == VelocityProfile::parabolic) {
         velocity.drive(marks, index, Profile(mesh, facets));
       } else {
@@ -187,29 +189,30 @@ Conditions make_conditions(const Continuum& continuum, const FlowSettings& setti
     for (int axis = 0; axis < d; ++axis) {
       std::vector<NamedFacet> normal_to_axis = facets;
       std::erase_if(normal_to_axis, [&](const NamedFacet& facet) { return axis_of(mesh, facet) != axis; });
-      velocity.hold(mesh::mark_vertices(mesh, normal_to_axis), axis);
+      velocity.hold(mark_dofs(space, normal_to_axis), axis);
       hold_mesh(normal_to_axis, axis);
     }
   }
   for (const FlowBoundary& boundary : settings.boundaries) {
     if (holds_velocity(boundary.kind)) {
-      velocity.hold(mesh::mark_vertices(mesh, exterior_facets_of(mesh, boundary.group)), -1);
+      velocity.hold(mark_dofs(space, exterior_facets_of(mesh, boundary.group)), -1);
     }
   }
   const std::vector<NamedFacet> walls = wall_facets(continuum, settings.boundaries);
-  velocity.hold(mesh::mark_vertices(mesh, walls), -1);
+  velocity.hold(mark_dofs(space, walls), -1);
   hold_mesh(walls, -1);
   result.components = velocity.list();
   result.mesh_is_held.assign(static_cast<std::size_t>(mesh.num_vertices()) * d, 0);
   for (const PrescribedComponent& held : motion.list()) {
-    result.mesh_is_held[static_cast<std::size_t>(held.vertex) * d + held.component] = 1;
+    result.mesh_is_held[static_cast<std::size_t>(held.dof) * d + held.component] = 1;
   }
   return result;
 }
 
-double ramp(const FlowBoundary& boundary, double time) {
-  if (time >= boundary.ramp) return 1;
-  return 0.5 * (1 - std::cos(std::numbers::pi * std::max(time, 0.0) / boundary.ramp));
+double course(const FlowBoundary& boundary, double time) {
+  using std::numbers::pi;
+  const double risen = time >= boundary.ramp ? 1.0 : 0.5 * (1 - std::cos(pi * std::max(time, 0.0) / boundary.ramp));
+  return boundary.period > 0 ? risen * std::sin(2 * pi * time / boundary.period) : risen;
 }
 
 void impose(const Conditions& conditions, const Continuum& continuum, const Prescribed& prescribed,
@@ -221,16 +224,15 @@ void impose(const Conditions& conditions, const Continuum& continuum, const Pres
       const FlowBoundary& boundary = conditions.boundaries[entry.boundary];
       if (prescribed.velocity) {
         std::array<double, 3> point = {0, 0, 0};
-        const bool in_solid = continuum.vertex_solid[entry.vertex] >= 0;
-        const double* from = in_solid ? continuum.mesh->point(entry.vertex)
-                                      : coordinates.data() + static_cast<std::size_t>(entry.vertex) * d;
-        std::copy_n(from, d, point.begin());
+        const std::vector<double>& from =
+            continuum.dof_solid[entry.dof] >= 0 ? continuum.reference_points : coordinates;
+        std::copy_n(from.data() + static_cast<std::size_t>(entry.dof) * d, d, point.begin());
         value = prescribed.velocity(point, time)[entry.component];
       } else {
-        value = boundary.velocity[entry.component] * entry.factor * ramp(boundary, time);
+        value = boundary.velocity[entry.component] * entry.factor * course(boundary, time);
       }
     }
-    velocity.at(entry.vertex)[entry.component] = value;
+    velocity.at(entry.dof)[entry.component] = value;
   }
 }
 

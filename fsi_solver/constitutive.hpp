@@ -2,13 +2,16 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
+#include "fsi_solver/lanes.hpp"
 #include "fsi_solver/settings.hpp"
 
 namespace vocalis::fsi {
 
-template <int D>
-using Matrix = std::array<std::array<double, D>, D>;
+/// Of one point, or of one point in each of several cells (T = Lanes).
+template <int D, class T = double>
+using Matrix = std::array<std::array<T, D>, D>;
 
 /// The constants of a solid region as its stress needs them.
 struct Elasticity {
@@ -26,9 +29,9 @@ inline Elasticity elasticity(const SolidMaterial& material) {
   return {material.model, shear, lame, material.damping};
 }
 
-template <int D>
-Matrix<D> product(const Matrix<D>& a, const Matrix<D>& b) {
-  Matrix<D> c{};
+template <int D, class T>
+Matrix<D, T> product(const Matrix<D, T>& a, const Matrix<D, T>& b) {
+  Matrix<D, T> c{};
   for (int i = 0; i < D; ++i) {
     for (int k = 0; k < D; ++k) {
       for (int j = 0; j < D; ++j) c[i][j] += a[i][k] * b[k][j];
@@ -37,9 +40,9 @@ Matrix<D> product(const Matrix<D>& a, const Matrix<D>& b) {
   return c;
 }
 
-template <int D>
-Matrix<D> transposed(const Matrix<D>& a) {
-  Matrix<D> c{};
+template <int D, class T>
+Matrix<D, T> transposed(const Matrix<D, T>& a) {
+  Matrix<D, T> c{};
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) c[i][j] = a[j][i];
   }
@@ -47,9 +50,9 @@ Matrix<D> transposed(const Matrix<D>& a) {
 }
 
 /// a : b
-template <int D>
-double contraction(const Matrix<D>& a, const Matrix<D>& b) {
-  double sum = 0;
+template <int D, class T>
+T contraction(const Matrix<D, T>& a, const Matrix<D, T>& b) {
+  T sum{};
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) sum += a[i][j] * b[i][j];
   }
@@ -57,12 +60,12 @@ double contraction(const Matrix<D>& a, const Matrix<D>& b) {
 }
 
 /// The cofactor J F⁻ᵀ, which exists for any F.
-template <int D>
-Matrix<D> cofactor(const Matrix<D>& f) {
+template <int D, class T>
+Matrix<D, T> cofactor(const Matrix<D, T>& f) {
   if constexpr (D == 2) {
     return {{{f[1][1], -f[1][0]}, {-f[0][1], f[0][0]}}};
   } else {
-    Matrix<3> c{};
+    Matrix<3, T> c{};
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
         const int a = (i + 1) % 3, b = (i + 2) % 3, p = (j + 1) % 3, q = (j + 2) % 3;
@@ -73,19 +76,19 @@ Matrix<D> cofactor(const Matrix<D>& f) {
   }
 }
 
-template <int D>
-double determinant(const Matrix<D>& f) {
-  const Matrix<D> c = cofactor<D>(f);
-  double sum = 0;
+template <int D, class T>
+T determinant(const Matrix<D, T>& f) {
+  const Matrix<D, T> c = cofactor<D>(f);
+  T sum{};
   for (int j = 0; j < D; ++j) sum += f[0][j] * c[0][j];
   return sum;
 }
 
 /// The symmetric part of aᵀ b.
-template <int D>
-Matrix<D> symmetric_product(const Matrix<D>& a, const Matrix<D>& b) {
-  const Matrix<D> c = product<D>(transposed<D>(a), b);
-  Matrix<D> s{};
+template <int D, class T>
+Matrix<D, T> symmetric_product(const Matrix<D, T>& a, const Matrix<D, T>& b) {
+  const Matrix<D, T> c = product<D>(transposed<D>(a), b);
+  Matrix<D, T> s{};
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) s[i][j] = 0.5 * (c[i][j] + c[j][i]);
   }
@@ -93,16 +96,40 @@ Matrix<D> symmetric_product(const Matrix<D>& a, const Matrix<D>& b) {
 }
 
 /// λ tr(E) I + 2 µ E, for strains and for their changes and rates.
-template <int D>
-Matrix<D> isotropic(double lame, double shear, const Matrix<D>& strain) {
-  Matrix<D> s{};
-  double trace = 0;
+template <int D, class T>
+Matrix<D, T> isotropic(double lame, double shear, const Matrix<D, T>& strain) {
+  Matrix<D, T> s{};
+  T trace{};
   for (int i = 0; i < D; ++i) trace += strain[i][i];
   for (int i = 0; i < D; ++i) {
     for (int j = 0; j < D; ++j) s[i][j] = 2 * shear * strain[i][j];
     s[i][i] += lame * trace;
   }
   return s;
+}
+
+/// ½ (FᵀF - I)
+template <int D, class T>
+Matrix<D, T> green_strain(const Matrix<D, T>& f) {
+  Matrix<D, T> strain = symmetric_product<D>(f, f);
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < D; ++k) strain[i][k] = 0.5 * (strain[i][k] - (i == k ? 1.0 : 0.0));
+  }
+  return strain;
+}
+
+/// Stored energy [J/m^3] whose derivative is the elastic part of `stress`:
+///
+///   neo-Hookean            ½ µ (F : F - D - 2 ln J) + ½ λ ln² J
+///   Saint Venant–Kirchhoff ½ λ (tr E)² + µ E : E
+template <int D, class T>
+T stored_energy(const Elasticity& solid, const Matrix<D, T>& f) {
+  if (solid.model == SolidModel::neo_hookean) {
+    const T log_j = logarithm(determinant<D>(f));
+    return 0.5 * solid.shear * (contraction<D>(f, f) - double{D} - 2.0 * log_j) + 0.5 * solid.lame * log_j * log_j;
+  }
+  const Matrix<D, T> strain = green_strain<D>(f);
+  return 0.5 * contraction<D>(strain, isotropic<D>(solid.lame, solid.shear, strain));
 }
 
 /// First Piola–Kirchhoff stress [Pa] of a solid, plane strain when D = 2:
@@ -113,21 +140,18 @@ Matrix<D> isotropic(double lame, double shear, const Matrix<D>& strain) {
 ///   pressure               - p J F⁻ᵀ
 ///
 /// rate_of_f  Ḟ [1/s]; pressure p [Pa], 0 in compressible solids. det F must be positive.
-template <int D>
-Matrix<D> stress(const Elasticity& solid, const Matrix<D>& f, const Matrix<D>& rate_of_f, double pressure) {
-  const Matrix<D> cof = cofactor<D>(f);
-  const double j = determinant<D>(f);
-  Matrix<D> p{};
-  Matrix<D> second = isotropic<D>(0, solid.viscosity, symmetric_product<D>(rate_of_f, f));
-  double of_cofactor = -pressure;
+template <int D, class T>
+Matrix<D, T> stress(const Elasticity& solid, const Matrix<D, T>& f, const Matrix<D, T>& rate_of_f,
+                    const std::type_identity_t<T>& pressure) {
+  const Matrix<D, T> cof = cofactor<D>(f);
+  const T j = determinant<D>(f);
+  Matrix<D, T> p{};
+  Matrix<D, T> second = isotropic<D>(0, solid.viscosity, symmetric_product<D>(rate_of_f, f));
+  T of_cofactor = -pressure;
   if (solid.model == SolidModel::neo_hookean) {
-    of_cofactor += (solid.lame * std::log(j) - solid.shear) / j;
+    of_cofactor += (solid.lame * logarithm(j) - solid.shear) / j;
   } else {
-    Matrix<D> strain = symmetric_product<D>(f, f);
-    for (int i = 0; i < D; ++i) {
-      for (int k = 0; k < D; ++k) strain[i][k] = 0.5 * (strain[i][k] - (i == k));
-    }
-    const Matrix<D> elastic = isotropic<D>(solid.lame, solid.shear, strain);
+    const Matrix<D, T> elastic = isotropic<D>(solid.lame, solid.shear, green_strain<D>(f));
     for (int i = 0; i < D; ++i) {
       for (int k = 0; k < D; ++k) second[i][k] += elastic[i][k];
     }
@@ -141,34 +165,32 @@ Matrix<D> stress(const Elasticity& solid, const Matrix<D>& f, const Matrix<D>& r
 }
 
 /// The change of `stress` when F changes by df and Ḟ by df_rate (the exact derivative in this direction).
-template <int D>
-Matrix<D> stress_change(const Elasticity& solid, const Matrix<D>& f, const Matrix<D>& rate_of_f, double pressure,
-                        const Matrix<D>& df, const Matrix<D>& df_rate) {
-  const Matrix<D> cof = cofactor<D>(f);
-  const double j = determinant<D>(f);
+template <int D, class T>
+Matrix<D, T> stress_change(const Elasticity& solid, const Matrix<D, T>& f, const Matrix<D, T>& rate_of_f,
+                           const std::type_identity_t<T>& pressure, const Matrix<D, T>& df,
+                           const Matrix<D, T>& df_rate) {
+  const Matrix<D, T> cof = cofactor<D>(f);
+  const T j = determinant<D>(f);
   // d(J F⁻ᵀ) = (cof : dF) cof / J - cof dFᵀ cof / J;  dJ = cof : dF
-  const double dj = contraction<D>(cof, df);
-  const Matrix<D> turned = product<D>(product<D>(cof, transposed<D>(df)), cof);
-  double of_cofactor = -pressure, change_of_factor = 0, of_f = 0;
-  Matrix<D> second = isotropic<D>(0, solid.viscosity, symmetric_product<D>(rate_of_f, f));
-  Matrix<D> rate_change = symmetric_product<D>(df_rate, f);
-  const Matrix<D> more = symmetric_product<D>(rate_of_f, df);
+  const T dj = contraction<D>(cof, df);
+  const Matrix<D, T> turned = product<D>(product<D>(cof, transposed<D>(df)), cof);
+  T of_cofactor = -pressure, change_of_factor{};
+  double of_f = 0;
+  Matrix<D, T> second = isotropic<D>(0, solid.viscosity, symmetric_product<D>(rate_of_f, f));
+  Matrix<D, T> rate_change = symmetric_product<D>(df_rate, f);
+  const Matrix<D, T> more = symmetric_product<D>(rate_of_f, df);
   for (int i = 0; i < D; ++i) {
     for (int k = 0; k < D; ++k) rate_change[i][k] += more[i][k];
   }
-  Matrix<D> second_change = isotropic<D>(0, solid.viscosity, rate_change);
+  Matrix<D, T> second_change = isotropic<D>(0, solid.viscosity, rate_change);
   if (solid.model == SolidModel::neo_hookean) {
-    const double factor = (solid.lame * std::log(j) - solid.shear) / j;
+    const T factor = (solid.lame * logarithm(j) - solid.shear) / j;
     of_cofactor += factor;
     change_of_factor = (solid.lame / j - factor) * dj / j;
     of_f = solid.shear;
   } else {
-    Matrix<D> strain = symmetric_product<D>(f, f);
-    for (int i = 0; i < D; ++i) {
-      for (int k = 0; k < D; ++k) strain[i][k] = 0.5 * (strain[i][k] - (i == k));
-    }
-    const Matrix<D> elastic = isotropic<D>(solid.lame, solid.shear, strain);
-    const Matrix<D> change = isotropic<D>(solid.lame, solid.shear, symmetric_product<D>(f, df));
+    const Matrix<D, T> elastic = isotropic<D>(solid.lame, solid.shear, green_strain<D>(f));
+    const Matrix<D, T> change = isotropic<D>(solid.lame, solid.shear, symmetric_product<D>(f, df));
     for (int i = 0; i < D; ++i) {
       for (int k = 0; k < D; ++k) {
         second[i][k] += elastic[i][k];
@@ -176,11 +198,11 @@ Matrix<D> stress_change(const Elasticity& solid, const Matrix<D>& f, const Matri
       }
     }
   }
-  Matrix<D> dp = product<D>(df, second);
-  const Matrix<D> rest = product<D>(f, second_change);
+  Matrix<D, T> dp = product<D>(df, second);
+  const Matrix<D, T> rest = product<D>(f, second_change);
   for (int i = 0; i < D; ++i) {
     for (int k = 0; k < D; ++k) {
-      const double cofactor_change = (dj * cof[i][k] - turned[i][k]) / j;
+      const T cofactor_change = (dj * cof[i][k] - turned[i][k]) / j;
       dp[i][k] += rest[i][k] + of_f * df[i][k] + of_cofactor * cofactor_change + change_of_factor * cof[i][k];
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/case_table.hpp"
 #include "core/base/error.hpp"
@@ -9,6 +10,27 @@
 #include "core/mesh/facets.hpp"
 
 namespace vocalis::fsi {
+
+namespace {
+
+/// Which solids have a dof of the velocity, and which dof a vertex has.
+void find_dofs(Continuum& continuum) {
+  const fem::Space& space = continuum.velocity_space;
+  continuum.dof_solid.assign(space.num_dofs(), Continuum::fluid);
+  continuum.vertex_to_dof.assign(continuum.mesh->num_vertices(), -1);
+  for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
+    for (const std::int32_t dof : space.dofs_of(cell)) {
+      continuum.dof_solid[dof] = std::max(continuum.dof_solid[dof], continuum.cell_solid[cell]);
+    }
+  }
+  space.halo.max_to_owners(continuum.dof_solid);
+  space.halo.copy_to_ghosts(continuum.dof_solid);
+  for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
+    if (space.dof_vertex[dof] >= 0) continuum.vertex_to_dof[space.dof_vertex[dof]] = dof;
+  }
+}
+
+}  // namespace
 
 Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings) {
   Continuum result;
@@ -52,8 +74,42 @@ Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings) {
   };
   result.has_fluid = base::largest(mesh.comm, here(true)) > 0;
   result.has_solid = base::largest(mesh.comm, here(false)) > 0;
-  result.velocity_space = fem::lagrange(mesh, 1);
+  result.vertex_space = fem::lagrange(mesh, 1);
+  result.velocity_space = fem::lagrange(mesh, settings.elements == Elements::p1p1 ? 1 : 2);
   result.pressure_space = fem::lagrange(mesh, 1, label);
+  result.reference_points = fem::dof_points(result.velocity_space);
+  find_dofs(result);
+  std::vector<std::int32_t> all(cells);
+  std::iota(all.begin(), all.end(), 0);
+  result.batches = make_batches(all, result.cell_solid, result.velocity_space, result.pressure_space);
+  return result;
+}
+
+std::vector<std::int32_t> mark_dofs(const fem::Space& space, const std::vector<mesh::NamedFacet>& facets) {
+  const mesh::Mesh& mesh = *space.mesh;
+  const auto edges = mesh::edges_of_cell(mesh.dimension);
+  std::vector<std::int32_t> marks(space.num_dofs(), 0);
+  for (const mesh::NamedFacet& facet : facets) {
+    const auto dofs = space.dofs_of(facet.cell);
+    for (int a = 0; a < space.dofs_per_cell; ++a) {
+      const bool is_corner = a <= mesh.dimension;
+      const bool is_on_it = is_corner ? a != facet.index
+                                      : edges[a - mesh.dimension - 1][0] != facet.index &&
+                                            edges[a - mesh.dimension - 1][1] != facet.index;
+      if (is_on_it && dofs[a] >= 0) marks[dofs[a]] = 1;
+    }
+  }
+  space.halo.max_to_owners(marks);
+  space.halo.copy_to_ghosts(marks);
+  return marks;
+}
+
+fem::Field at_vertices(const Continuum& continuum, const fem::Field& field) {
+  fem::Field result(continuum.vertex_space, field.components);
+  for (std::size_t vertex = 0; vertex < continuum.vertex_to_dof.size(); ++vertex) {
+    std::copy_n(field.at(continuum.vertex_to_dof[vertex]), field.components,
+                result.at(static_cast<std::int32_t>(vertex)));
+  }
   return result;
 }
 

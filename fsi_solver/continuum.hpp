@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "core/fem/field.hpp"
+#include "core/mesh/facets.hpp"
 #include "core/mesh/mesh.hpp"
+#include "fsi_solver/cell_batches.hpp"
 #include "fsi_solver/constitutive.hpp"
 #include "fsi_solver/settings.hpp"
 
@@ -22,8 +24,13 @@ struct Continuum {
   std::vector<std::int32_t> vertex_in_fluid;  ///< (vertices) whether a fluid cell has it, on any rank
   bool has_fluid = false;                     ///< on any rank
   bool has_solid = false;                     ///< on any rank
-  fem::Space velocity_space;                  ///< P1 on all cells; its dofs are the vertices
+  fem::Space vertex_space;                    ///< P1 on all cells; its dofs are the vertices
+  fem::Space velocity_space;                  ///< P1 or P2 on all cells
   fem::Space pressure_space;                  ///< P1; label 0 in the fluid, 1 + i in an incompressible solid i
+  std::vector<std::int32_t> dof_solid;        ///< (velocity dofs) the last of the solids that have it, or `fluid`
+  std::vector<std::int32_t> vertex_to_dof;    ///< (vertices) dof of the velocity there
+  std::vector<double> reference_points;       ///< (velocity dofs, dimension) [m], on the true curve of a boundary
+  CellBatches batches;                        ///< of all owned cells
 
   int labels() const { return 1 + static_cast<int>(solids.size()); }
   bool has_pressure(std::int32_t cell) const { return cell_solid[cell] < 0 || solids[cell_solid[cell]].incompressible; }
@@ -32,7 +39,13 @@ struct Continuum {
 /// Collective. Throws UserError if a solid's region is not in the mesh, or is named twice.
 Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings);
 
-/// Smallest quality (see mesh::quality) of the fluid cells with their vertices at given coordinates,
+/// Whether each local dof of a space lies on one of the facets, on any rank. Collective.
+std::vector<std::int32_t> mark_dofs(const fem::Space& space, const std::vector<mesh::NamedFacet>& facets);
+
+/// The values of a field on the velocity's space at the vertices, on the space of the vertices.
+fem::Field at_vertices(const Continuum& continuum, const fem::Field& field);
+
+/// Smallest quality (see mesh::quality) of the fluid cells, as if straight, with their vertices at given coordinates,
 /// (vertices, dimension) [m]; 1 without fluid. Collective.
 double smallest_fluid_quality(const Continuum& continuum, const std::vector<double>& coordinates);
 

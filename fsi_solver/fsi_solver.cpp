@@ -42,7 +42,8 @@ namespace {
 
 std::vector<double> moved_coordinates(const Continuum& continuum, const fem::Field& displacement) {
   std::vector<double> result = continuum.mesh->coordinates;
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] += displacement.values[i];
+  const fem::Field moved = at_vertices(continuum, displacement);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] += moved.values[i];
   return result;
 }
 
@@ -69,7 +70,7 @@ StepReport FsiSolver::try_step(double dt) {
   report.reason = newton.reason;
   if (report.converged && in.continuum.has_solid) {
     report.smallest_quality =
-        smallest_fluid_quality(in.continuum, moved_coordinates(in.continuum, in.assembly->end_displacement()));
+        smallest_fluid_quality(in.continuum, moved_coordinates(in.continuum, in.assembly->fields().end_displacement()));
     if (!(report.smallest_quality > 0)) {
       report.converged = false;
       report.inverted = true;
@@ -83,9 +84,9 @@ StepReport FsiSolver::try_step(double dt) {
 void FsiSolver::accept() {
   Inside& in = *inside_;
   assert(in.tried_dt > 0);
-  in.state.velocity_before = std::exchange(in.state.velocity, in.assembly->end_velocity());
-  in.state.displacement_before = std::exchange(in.state.displacement, in.assembly->end_displacement());
-  in.state.pressure = in.assembly->pressure();
+  in.state.velocity_before = std::exchange(in.state.velocity, in.assembly->fields().end_velocity());
+  in.state.displacement_before = std::exchange(in.state.displacement, in.assembly->fields().end_displacement());
+  in.state.pressure = in.assembly->fields().pressure();
   in.state.time += in.tried_dt;
   in.state.last_dt = std::exchange(in.tried_dt, 0);
 }
@@ -115,25 +116,21 @@ std::vector<double> FsiSolver::current_coordinates() const {
   return moved_coordinates(inside_->continuum, inside_->state.displacement);
 }
 
-fem::Field FsiSolver::mesh_velocity() const {
-  const State& now = inside_->state;
-  fem::Field result(inside_->continuum.velocity_space, now.displacement.components);
-  if (now.last_dt <= 0) return result;
-  for (std::size_t i = 0; i < result.values.size(); ++i) {
-    result.values[i] = (now.displacement.values[i] - now.displacement_before.values[i]) / now.last_dt;
-  }
-  return result;
+fem::Field FsiSolver::velocity_at_vertices() const { return at_vertices(inside_->continuum, inside_->state.velocity); }
+
+fem::Field FsiSolver::displacement_at_vertices() const {
+  return at_vertices(inside_->continuum, inside_->state.displacement);
 }
 
 fem::Field FsiSolver::fluid_pressure() const {
   const fem::Space& pressures = inside_->continuum.pressure_space;
   // The owner of a pressure need not own its vertex: each gives its value once, the vertex's owner collects it.
-  fem::Load given(inside_->continuum.velocity_space, 1);
+  fem::Load given(inside_->continuum.vertex_space, 1);
   for (std::int32_t dof = 0; dof < pressures.dofs.num_owned; ++dof) {
     if (pressures.dof_label[dof] == 0) given.values[pressures.dof_vertex[dof]] = inside_->state.pressure.values[dof];
   }
   given.add_to_owners();
-  fem::Field result(inside_->continuum.velocity_space, 1);
+  fem::Field result(inside_->continuum.vertex_space, 1);
   result.values = given.values;
   result.copy_to_ghosts();
   return result;

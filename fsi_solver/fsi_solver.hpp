@@ -50,15 +50,16 @@ class FsiSolver {
   void drop_caches();
 
   const Continuum& continuum() const;
+  /// P1 or P2, without jumps.
   const fem::Space& velocity_space() const;
   /// P1, one label in the fluid (0) and one in each incompressible solid i (1 + i).
   const fem::Space& pressure_space() const;
 
   /// Where the vertices are, (vertices, dimension) [m]; ghosts current.
   std::vector<double> current_coordinates() const;
-  /// Velocity of the mesh (of the material in solids) over the last step, (d - d₋) / dt [m/s], which is that at
-  /// mid-step.
-  fem::Field mesh_velocity() const;
+  /// Parts of the state at the vertices, on a space of degree 1 whose dofs they are; ghosts current.
+  fem::Field velocity_at_vertices() const;
+  fem::Field displacement_at_vertices() const;
   /// The fluid's pressure [Pa] at the vertices; 0 where there is no fluid. Collective.
   fem::Field fluid_pressure() const;
 

@@ -42,6 +42,7 @@ double flux(const FsiSolver& solver, const std::string& group) {
   const mesh::Mesh& mesh = *solver.continuum().mesh;
   const int d = mesh.dimension;
   const std::vector<double> x = solver.current_coordinates();
+  const fem::Field velocity = solver.velocity_at_vertices();
   const auto at = [&](std::int32_t vertex) { return x.data() + static_cast<std::size_t>(vertex) * d; };
   double sum = 0;
   for (const mesh::NamedFacet& facet : mesh::facets_of_group(mesh, group)) {
@@ -55,7 +56,7 @@ double flux(const FsiSolver& solver, const std::string& group) {
       if (!points_ahead(reference.normal)) continue;
     }
     for (int i = 0; i < d; ++i) {
-      const double* v = solver.state().velocity.at(corners[i]);
+      const double* v = velocity.at(corners[i]);
       for (int k = 0; k < d; ++k) sum += v[k] * n[k] / d;
     }
   }

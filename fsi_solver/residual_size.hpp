@@ -20,8 +20,8 @@ class ResidualSums {
 
   explicit ResidualSums(int labels) : labels_(labels), sums_(static_cast<std::size_t>(6 * labels) + 1, 0.0) {}
 
-  /// One term of a cell, before the cells are summed.
-  void add_term(Equation equation, int label, double value) { sums_[equation * labels_ + label] += value * value; }
+  /// Squares of the terms of cells, before the cells are summed.
+  void add_terms(Equation equation, int label, double squares) { sums_[equation * labels_ + label] += squares; }
   /// One owned entry of the residual.
   void add_entry(Equation equation, int label, double value) {
     sums_[(3 + equation) * labels_ + label] += value * value;

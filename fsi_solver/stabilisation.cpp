@@ -5,73 +5,108 @@
 
 namespace vocalis::fsi {
 
-Stabilisation::Stabilisation(const mesh::Mesh& mesh)
-    : pressure(mesh.num_cells()),
-      stream(mesh.num_cells()),
-      divergence(mesh.num_cells()),
-      recovery(mesh.num_cells()),
-      advection(static_cast<std::size_t>(mesh.num_cells()) * mesh.dimension),
-      projection(static_cast<std::size_t>(mesh.num_cells()) * mesh.dimension) {}
+Stabilisation::Stabilisation(const Continuum& continuum)
+    : pressure(continuum.mesh->num_cells()),
+      stream(continuum.mesh->num_cells()),
+      divergence(continuum.mesh->num_cells()),
+      recovery(continuum.mesh->num_cells()),
+      advection(static_cast<std::size_t>(continuum.mesh->num_cells()) * continuum.mesh->dimension),
+      projection(continuum.vertex_space, continuum.mesh->dimension) {}
 
 template <int D>
-CellStabilisation<D> Stabilisation::of_cell(std::int32_t cell) const {
-  CellStabilisation<D> one = {pressure[cell], stream[cell], divergence[cell], {}, {}};
-  std::copy_n(advection.begin() + static_cast<std::ptrdiff_t>(cell) * D, D, one.advection.begin());
-  std::copy_n(projection.begin() + static_cast<std::ptrdiff_t>(cell) * D, D, one.projection.begin());
-  return one;
+CellStabilisation<D> Stabilisation::of_batch(const CellBatches& batches, std::size_t batch) const {
+  CellStabilisation<D> result;
+  result.of_pressure = of_pressure;
+  const std::int32_t* vertices = batches.vertices_of(batch);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const std::size_t cell = batches.batches[batch].cell[lane];
+    result.pressure[lane] = pressure[cell];
+    result.stream[lane] = stream[cell];
+    result.divergence[lane] = divergence[cell];
+    result.recovery[lane] = recovery[cell];
+    for (int k = 0; k < D; ++k) {
+      result.advection[k][lane] = advection[cell * D + k];
+      for (int b = 0; b <= D; ++b) result.projection[b][k][lane] = projection.at(vertices[b * lane_count + lane])[k];
+    }
+  }
+  return result;
 }
 
 namespace {
 
-/// What τ is made of in a cell.
-template <int D>
+/// What τ is made of in cells.
+template <int D, int Degree>
 struct CellScales {
-  double squares = 0;                    ///< Σ_a |∇φ_a|² [1/m^2]
-  double crossing = 0;                   ///< Σ_a |c·∇φ_a| [1/s]
-  double speed = 0;                      ///< |c| [m/s]
-  Matrix<D> velocity_gradient = {};      ///< ∇v [1/s]
-  std::array<double, D> advection = {};  ///< c, the mean of the slip [m/s]
-  std::array<double, D> slope = {};      ///< ∇p [Pa/m]
+  Lanes measure{};              ///< [m^D]
+  Lanes squares{};              ///< Σ_a |∇φ_a|² [1/m^2]
+  Lanes crossing{};             ///< Σ_a |c·∇φ_a| [1/s]
+  Lanes speed{};                ///< |c| [m/s]
+  Lanes advection[D]{};         ///< c, the mean of the slip [m/s]
+  Lanes streaming[D + 1][D]{};  ///< ∫ λ_b (c·∇)v
+  Lanes slope[D]{};             ///< ∇p [Pa/m]
 };
 
-template <int D>
-CellScales<D> scales_of(const CellInput<D>& in) {
-  CellScales<D> result;
-  const auto& g = in.geometry.gradient;
+template <int D, int Degree>
+CellScales<D, Degree> scales_of(const CellInput<D, Degree>& in) {
+  using E = Element<D, Degree>;
+  CellScales<D, Degree> result;
   auto& c = result.advection;
-  for (int a = 0; a <= D; ++a) {
-    for (int k = 0; k < D; ++k) c[k] += in.slip[a][k] / (D + 1);
-  }
-  for (int a = 0; a <= D; ++a) {
-    double along = 0;
+  Lanes g[D + 1][D]{};  // mean gradients of the corners' basis
+  for (const typename E::Point& point : E::points()) {
+    const auto geometry = geometry_at<D, Degree>(point, in.position);
+    const Lanes weight = point.weight * geometry.determinant;
+    const auto slip = value_of<D, E::nodes>(in.slip, point.value);
+    result.measure += weight;
     for (int k = 0; k < D; ++k) {
-      result.squares += g[a][k] * g[a][k];
-      along += c[k] * g[a][k];
-      result.slope[k] += in.pressure[a] * g[a][k];
-      for (int i = 0; i < D; ++i) result.velocity_gradient[i][k] += in.velocity[a][i] * g[a][k];
+      c[k] += weight * slip[k];
+      for (int b = 0; b <= D; ++b) g[b][k] += weight * geometry.corner_gradient[b][k];
     }
-    result.crossing += std::abs(along);
   }
+  for (int k = 0; k < D; ++k) c[k] /= result.measure;
+  for (int b = 0; b <= D; ++b) {
+    Lanes along{};
+    for (int k = 0; k < D; ++k) {
+      g[b][k] /= result.measure;
+      result.squares += g[b][k] * g[b][k];
+      along += c[k] * g[b][k];
+      result.slope[k] += in.pressure[b] * g[b][k];
+    }
+    result.crossing += absolute(along);
+  }
+  constexpr double refinement = Degree;
+  result.squares *= refinement * refinement;
+  result.crossing *= refinement;
   for (int k = 0; k < D; ++k) result.speed += c[k] * c[k];
-  result.speed = std::sqrt(result.speed);
+  result.speed = square_root(result.speed);
+  for (const typename E::Point& point : E::points()) {
+    const auto geometry = geometry_at<D, Degree>(point, in.position);
+    const Matrix<D, Lanes> l = gradient_of<D, E::nodes>(in.velocity, geometry.gradient);
+    for (int i = 0; i < D; ++i) {
+      Lanes sum{};
+      for (int k = 0; k < D; ++k) sum += l[i][k] * c[k];
+      for (int b = 0; b <= D; ++b) {
+        result.streaming[b][i] += point.weight * geometry.determinant * sum * point.corner[b];
+      }
+    }
+  }
   return result;
 }
 
-template <int D>
-void set_fluid(const CellScales<D>& scales, const FlowSettings& settings, std::int32_t cell, Stabilisation& out) {
-  const double viscous = settings.viscosity * scales.squares, rho = settings.density;
-  out.pressure[cell] = 1 / (rho * scales.speed * std::sqrt(scales.squares) + viscous);
-  out.stream[cell] = rho * rho / (rho * scales.crossing + viscous);
-  out.divergence[cell] = settings.viscosity + rho * scales.speed / std::sqrt(scales.squares);
+/// Sets what a fluid cell has, from its scales.
+void set_fluid(double squares, double crossing, double speed, const FlowSettings& settings, std::size_t cell,
+               Stabilisation& out) {
+  const double viscous = settings.viscosity * squares, rho = settings.density;
+  out.pressure[cell] = 1 / (rho * speed * std::sqrt(squares) + viscous);
+  if (!settings.streamline_stabilisation) return;
+  out.stream[cell] = rho * rho / (rho * crossing + viscous);
+  out.divergence[cell] = settings.viscosity + rho * speed / std::sqrt(squares);
 }
 
-template <int D>
-void set_solid(const CellScales<D>& scales, const SolidMaterial& material, const Elasticity& elasticity,
-               std::int32_t cell, Stabilisation& out) {
+void set_solid(double squares, const SolidMaterial& material, const Elasticity& elasticity, std::size_t cell,
+               Stabilisation& out) {
   const double shear_speed = std::sqrt(elasticity.shear / material.density);
-  out.pressure[cell] =
-      1 / (material.density * shear_speed * std::sqrt(scales.squares) + material.damping * scales.squares);
-  out.recovery[cell] = 0.5 * shear_speed * std::sqrt(scales.squares);
+  out.pressure[cell] = 1 / (material.density * shear_speed * std::sqrt(squares) + material.damping * squares);
+  out.recovery[cell] = 0.5 * shear_speed * std::sqrt(squares);
 }
 
 /// Lumped projection, a weighted mean of the cells' values at each dof: `sums` holds D sums of weight × value, then
@@ -90,58 +125,58 @@ fem::Field projection_of(fem::Load& sums) {
 
 }  // namespace
 
-template <int D>
+template <int D, int Degree>
 fem::Field stabilise(const StageFields& fields, const Continuum& continuum, const FlowSettings& settings,
                      Stabilisation& stabilisation) {
-  const mesh::Mesh& mesh = *continuum.mesh;
-  fem::Load streams(continuum.velocity_space, D + 1);
+  constexpr bool of_pressure = Element<D, Degree>::is_stabilised;
+  fem::Load streams(continuum.vertex_space, D + 1);
   fem::Load slopes(continuum.pressure_space, D + 1);
-  CellInput<D> in{};
-  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
-    const std::int32_t solid = continuum.cell_solid[cell];
-    stabilisation.pressure[cell] = stabilisation.stream[cell] = stabilisation.divergence[cell] = 0;
-    if (!continuum.has_pressure(cell)) continue;
-    fields.gather(cell, in);
-    const double measure = in.geometry.measure;
-    const CellScales<D> scales = scales_of(in);
-    const auto& c = scales.advection;
-    std::copy_n(c.begin(), D, stabilisation.advection.begin() + static_cast<std::ptrdiff_t>(cell) * D);
-    if (solid < 0) {
-      set_fluid(scales, settings, cell, stabilisation);
-      const double weight = stabilisation.stream[cell] * measure / (D + 1);
-      for (const std::int32_t vertex : mesh.vertices_of(cell)) {
-        double* sum = streams.at(vertex);
-        sum[D] += weight;
-        for (int i = 0; i < D; ++i) {
-          for (int k = 0; k < D; ++k) sum[i] += weight * scales.velocity_gradient[i][k] * c[k];
-        }
+  stabilisation.of_pressure = settings.pressure_stabilisation ? 1 : 0;
+  for (auto* values : {&stabilisation.pressure, &stabilisation.stream, &stabilisation.divergence}) {
+    std::fill(values->begin(), values->end(), 0.0);
+  }
+  CellInput<D, Degree> in{};
+  const CellBatches& batches = continuum.batches;
+  for (std::size_t batch = 0; batch < batches.batches.size(); ++batch) {
+    const auto& [solid, active, cells] = batches.batches[batch];
+    if (!continuum.has_pressure(cells[0])) continue;
+    fields.gather(batches, batch, in);
+    const CellScales<D, Degree> scales = scales_of<D, Degree>(in);
+    const std::int32_t* vertices = batches.vertices_of(batch);
+    const std::int32_t* dofs = batches.pressure_dofs_of(batch);
+    for (int lane = 0; lane < active; ++lane) {
+      const std::size_t cell = cells[lane];
+      if (solid < 0) {
+        set_fluid(scales.squares[lane], scales.crossing[lane], scales.speed[lane], settings, cell, stabilisation);
+      } else {
+        set_solid(scales.squares[lane], continuum.solids[solid], continuum.elasticity[solid], cell, stabilisation);
       }
-    } else {
-      set_solid(scales, continuum.solids[solid], continuum.elasticity[solid], cell, stabilisation);
-    }
-    const double weight = stabilisation.pressure[cell] * measure / (D + 1);
-    for (const std::int32_t dof : continuum.pressure_space.dofs_of(cell)) {
-      double* sum = slopes.at(dof);
-      sum[D] += weight;
-      for (int k = 0; k < D; ++k) sum[k] += weight * scales.slope[k];
-    }
-  }
-  const fem::Field stream = projection_of<D>(streams);
-  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
-    double* mean = stabilisation.projection.data() + static_cast<std::size_t>(cell) * D;
-    std::fill(mean, mean + D, 0.0);
-    for (const std::int32_t vertex : mesh.vertices_of(cell)) {
-      for (int k = 0; k < D; ++k) mean[k] += stream.at(vertex)[k] / (D + 1);
+      for (int k = 0; k < D; ++k) stabilisation.advection[cell * D + k] = scales.advection[k][lane];
+      const double share = scales.measure[lane] / (D + 1);
+      const double stream = stabilisation.stream[cell], slope = stabilisation.pressure[cell] * share;
+      for (int b = 0; b <= D; ++b) {
+        double* sum = streams.at(vertices[b * lane_count + lane]);
+        sum[D] += stream * share;
+        for (int k = 0; k < D; ++k) sum[k] += stream * scales.streaming[b][k][lane];
+        if (!of_pressure) continue;
+        double* slope_sum = slopes.at(dofs[b * lane_count + lane]);
+        slope_sum[D] += slope;
+        for (int k = 0; k < D; ++k) slope_sum[k] += slope * scales.slope[k][lane];
+      }
     }
   }
+  stabilisation.projection = projection_of<D>(streams);
   return projection_of<D>(slopes);
 }
 
-#define VOCALIS_INSTANTIATE(D)                                                 \
-  template CellStabilisation<D> Stabilisation::of_cell<D>(std::int32_t) const; \
-  template fem::Field stabilise<D>(const StageFields&, const Continuum&, const FlowSettings&, Stabilisation&);
-VOCALIS_INSTANTIATE(2)
-VOCALIS_INSTANTIATE(3)
+#define VOCALIS_INSTANTIATE(D, Degree) \
+  template fem::Field stabilise<D, Degree>(const StageFields&, const Continuum&, const FlowSettings&, Stabilisation&);
+VOCALIS_INSTANTIATE(2, 1)
+VOCALIS_INSTANTIATE(2, 2)
+VOCALIS_INSTANTIATE(3, 1)
+VOCALIS_INSTANTIATE(3, 2)
 #undef VOCALIS_INSTANTIATE
+template CellStabilisation<2> Stabilisation::of_batch<2>(const CellBatches&, std::size_t) const;
+template CellStabilisation<3> Stabilisation::of_batch<3>(const CellBatches&, std::size_t) const;
 
 }  // namespace vocalis::fsi

@@ -13,22 +13,25 @@ namespace vocalis::fsi {
 ///   1/τ = ρ Σ_a |c·∇φ_a| + µ Σ_a |∇φ_a|²   in the stream,   1/τ = ρ |c| (Σ_a |∇φ_a|²)^½ + µ Σ_a |∇φ_a|² of the
 ///   pressure (solids: c → c_s = (µs / ρs)^½, µ → η),   τ₂ = µ + ρ |c| / (Σ_a |∇φ_a|²)^½
 ///
-/// These are 2 ρ |c| / h and 4 µ / h² of a regular triangle. No dt enters, so nothing collapses as dt → 0.
+/// with φ_a of the corners, whose sums are 2 ρ |c| / h and 4 µ / h² of a regular triangle; with degree 2, h is half of
+/// the cell. No dt enters, so nothing collapses as dt → 0.
 /// Source: Codina 2000, Comput. Meth. Appl. Mech. Eng. 190, 1579; 2008, Appl. Numer. Math. 58, 264 (term by term).
 struct Stabilisation {
-  explicit Stabilisation(const mesh::Mesh& mesh);
+  explicit Stabilisation(const Continuum& continuum);
 
   template <int D>
-  CellStabilisation<D> of_cell(std::int32_t cell) const;
+  CellStabilisation<D> of_batch(const CellBatches& batches, std::size_t batch) const;
 
   std::vector<double> pressure, stream, divergence;  ///< (cells)
   std::vector<double> recovery;                      ///< (cells) κ of incompressible solids [1/s]
-  std::vector<double> advection, projection;         ///< (cells, dimension)
+  std::vector<double> advection;                     ///< (cells, dimension)
+  fem::Field projection;                             ///< of (c·∇)v, at the vertices; ghosts current
+  double of_pressure = 1;                            ///< 0: the pressure has none
 };
 
 /// Renews the stabilisation of every cell from the fields as they are. Returns the τ-weighted lumped projection π of
-/// their pressure gradient [Pa/m], on the pressure's space, ghosts current. Collective.
-template <int D>
+/// their pressure gradient [Pa/m], on the pressure's space, ghosts current (P1P1 only; else zero). Collective.
+template <int D, int Degree>
 fem::Field stabilise(const StageFields& fields, const Continuum& continuum, const FlowSettings& settings,
                      Stabilisation& stabilisation);
 

@@ -7,8 +7,8 @@
 
 namespace vocalis::fsi {
 
-/// All that a step begins from; a checkpoint is this and nothing else. Ghosts current. All fields stand on the vertices
-/// of the flow mesh, the pressure on `FsiSolver::pressure_space`.
+/// All that a step begins from; a checkpoint is this and nothing else. Ghosts current. All fields stand on
+/// `FsiSolver::velocity_space`, the pressure on `FsiSolver::pressure_space`.
 struct State {
   fem::Field velocity;         ///< [m/s] at `time`
   fem::Field velocity_before;  ///< one step earlier

@@ -4,68 +4,76 @@
 
 namespace vocalis::fsi {
 
-namespace {
-
-/// Entry of the P1 mass matrix of a facet of measure 1.
-template <int D>
-constexpr double facet_mass(int a, int b) {
-  return (a == b ? 2.0 : 1.0) / (D * (D + 1));
-}
-
-}  // namespace
-
 double backflow_weight(const FlowBoundary& boundary, double at_outlets) {
   if (boundary.kind == FlowBoundaryKind::total_pressure) return 0.5;
   return boundary.kind == FlowBoundaryKind::outlet ? at_outlets : 0;
 }
 
-template <int D>
-double backflow(const CellInput<D>& in, int facet, double weight) {
-  double through = 0;
-  for (int a = 0; a <= D; ++a) {
-    if (a == facet) continue;
-    for (int k = 0; k < D; ++k) through -= in.slip[a][k] * in.geometry.gradient[facet][k];
-  }
-  // n |facet| = -D |cell| ∇φ_facet; the mean over D corners cancels D.
-  return -weight * in.density * std::min(0.0, through * in.geometry.measure);
-}
+namespace {
 
-template <int D>
-Corners<D> traction(const CellInput<D>& in, int facet, double pressure, double inflow) {
-  Corners<D> result{};
-  for (int a = 0; a <= D; ++a) {
-    if (a == facet) continue;
-    for (int k = 0; k < D; ++k) {
-      double value = -pressure * in.geometry.measure * in.geometry.gradient[facet][k];
-      for (int b = 0; b <= D; ++b) {
-        if (b != facet) value += inflow * facet_mass<D>(a, b) * in.velocity[b][k];
-      }
-      result[a][k] = value;
-    }
+/// Outward normal times the weight of a point of the facet [m^(D-1)]: -D |cell| ∇λ_facet of a straight cell.
+template <int D, int Degree>
+std::array<Lanes, D> area_at(const typename Element<D, Degree>::Point& point, const PointGeometry<D, Degree>& geometry,
+                             int facet) {
+  constexpr double measure = D == 2 ? 0.5 : 1.0 / 6;
+  std::array<Lanes, D> result;
+  for (int k = 0; k < D; ++k) {
+    result[k] = -D * measure * point.weight * geometry.determinant * geometry.corner_gradient[facet][k];
   }
   return result;
 }
 
-template <int D>
-void add_traction_jacobian(int facet, double inflow, const Stage& stage, double* matrix) {
-  using Unknowns = CellUnknowns<D>;
-  for (int a = 0; a <= D; ++a) {
-    for (int b = 0; b <= D; ++b) {
-      if (a == facet || b == facet) continue;
+/// -β ρ min(c·n, 0) at a point [kg/s].
+template <int D, int Degree>
+Lanes backflow(const CellInput<D, Degree>& in, const typename Element<D, Degree>::Point& point,
+               const std::array<Lanes, D>& area, double weight) {
+  const auto slip = value_of<D, Element<D, Degree>::nodes>(in.slip, point.value);
+  Lanes through{};
+  for (int k = 0; k < D; ++k) through += slip[k] * area[k];
+  return -weight * in.density * smaller(through, Lanes{});
+}
+
+}  // namespace
+
+template <int D, int Degree>
+void add_traction(const CellInput<D, Degree>& in, int facet, double pressure, double weight,
+                  CellResidual<D, Degree>& out) {
+  using E = Element<D, Degree>;
+  for (const typename E::Point& point : E::facet_points(facet)) {
+    const auto area = area_at<D, Degree>(point, geometry_at<D, Degree>(point, in.position), facet);
+    const Lanes inflow = backflow<D, Degree>(in, point, area, weight);
+    const auto velocity = value_of<D, E::nodes>(in.velocity, point.value);
+    for (int a = 0; a < E::nodes; ++a) {
       for (int k = 0; k < D; ++k) {
-        matrix[Unknowns::velocity(a, k) * Unknowns::count + Unknowns::velocity(b, k)] +=
-            stage.velocity_slope() * inflow * facet_mass<D>(a, b);
+        out.values[E::velocity(a, k)] += point.value[a] * (pressure * area[k] + inflow * velocity[k]);
       }
     }
   }
 }
 
-#define VOCALIS_INSTANTIATE(D)                                               \
-  template double backflow<D>(const CellInput<D>&, int, double);             \
-  template Corners<D> traction<D>(const CellInput<D>&, int, double, double); \
-  template void add_traction_jacobian<D>(int, double, const Stage&, double*);
-VOCALIS_INSTANTIATE(2)
-VOCALIS_INSTANTIATE(3)
+template <int D, int Degree>
+void add_traction_jacobian(const CellInput<D, Degree>& in, int facet, double weight, const Stage& stage,
+                           Lanes* matrix) {
+  using E = Element<D, Degree>;
+  for (const typename E::Point& point : E::facet_points(facet)) {
+    const auto area = area_at<D, Degree>(point, geometry_at<D, Degree>(point, in.position), facet);
+    const Lanes inflow = stage.velocity_slope() * backflow<D, Degree>(in, point, area, weight);
+    for (int a = 0; a < E::nodes; ++a) {
+      for (int b = 0; b < E::nodes; ++b) {
+        const Lanes both = inflow * (point.value[a] * point.value[b]);
+        for (int k = 0; k < D; ++k) matrix[E::velocity(a, k) * E::count + E::velocity(b, k)] += both;
+      }
+    }
+  }
+}
+
+#define VOCALIS_INSTANTIATE(D, Degree)                                                                               \
+  template void add_traction<D, Degree>(const CellInput<D, Degree>&, int, double, double, CellResidual<D, Degree>&); \
+  template void add_traction_jacobian<D, Degree>(const CellInput<D, Degree>&, int, double, const Stage&, Lanes*);
+VOCALIS_INSTANTIATE(2, 1)
+VOCALIS_INSTANTIATE(2, 2)
+VOCALIS_INSTANTIATE(3, 1)
+VOCALIS_INSTANTIATE(3, 2)
 #undef VOCALIS_INSTANTIATE
 
 }  // namespace vocalis::fsi

@@ -95,7 +95,7 @@ TEST_CASE("for small strains the neo-Hookean and the Saint Venant-Kirchhoff soli
   const double along = 9000 * (1 - 0.35) / ((1 + 0.35) * (1 - 0.7)), across = 9000 * 0.35 / ((1 + 0.35) * (1 - 0.7));
   for (const SolidModel model : {SolidModel::neo_hookean, SolidModel::saint_venant_kirchhoff}) {
     material.model = model;
-    const Matrix<3> p = stress<3>(elasticity(material), {{{1 + strain, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}, 0);
+    const Matrix<3> p = stress<3, double>(elasticity(material), {{{1 + strain, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}, 0);
     CHECK(p[0][0] == Approx(along * strain).epsilon(1e-5));
     CHECK(p[1][1] == Approx(across * strain).epsilon(1e-5));
   }

@@ -126,8 +126,8 @@ double pressure_error_if_scale_follows_step(double dt) {
       scale = 1 / (1 / scale + vortex.settings.density / present);
     }
     REQUIRE_ON_ALL_RANKS(solve_step(assembly, unknowns.get(), result.get(), change.get()));
-    state.velocity_before = std::exchange(state.velocity, assembly.end_velocity());
-    state.pressure = assembly.pressure();
+    state.velocity_before = std::exchange(state.velocity, assembly.fields().end_velocity());
+    state.pressure = assembly.fields().pressure();
     state.time += present;
     state.last_dt = present;
   }
