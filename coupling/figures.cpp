@@ -74,27 +74,43 @@ void add_vibration(const std::vector<double>& gap, Figures& figures) {
   figures.values["vibration_last_amplitude_m"] = growth.amplitudes.back();
 }
 
-/// The column of a gap or a flux, and the unit in its name; names may begin alike, so the whole column is compared.
-struct MonitorColumn {
-  const std::vector<double>* values = nullptr;
-  std::string unit;
-};
-MonitorColumn column_of(const MonitorSettings& monitor, const io::Series& history) {
-  for (const char* unit : {"_m", "_m2_s", "_m3_s"}) {
-    if (const auto* values = history.find(monitor.name + unit)) return {values, unit};
+/// The columns of a monitor that a history has, which knows the dimension by them.
+std::vector<MonitorColumn> columns_in(const io::Series& history, const MonitorSettings& monitor) {
+  for (const int dimension : {3, 2}) {
+    const std::vector<MonitorColumn> columns = columns_of(monitor, dimension);
+    const auto is_there = [&](const MonitorColumn& column) { return history.find(column.name()) != nullptr; };
+    if (std::all_of(columns.begin(), columns.end(), is_there)) return columns;
   }
   return {};
 }
 
+void add_statistics(const Case& config, const io::Series& history, Figures& figures) {
+  std::vector<MonitorColumn> columns;
+  std::vector<std::vector<double>> values;
+  for (const MonitorSettings& monitor : config.monitors) {
+    for (const MonitorColumn& column : columns_in(history, monitor)) {
+      columns.push_back(column);
+      values.push_back(*history.find(column.name()));
+    }
+  }
+  figures.values.merge(statistics(*config.statistics, *history.find("time_s"), columns, values));
+}
+
 void add_history(const Case& config, const io::Series& history, Figures& figures) {
+  if (config.statistics) {
+    add_statistics(config, history, figures);
+    return;
+  }
   const std::vector<double>& times = *history.find("time_s");
   const double begin = begin_of_voice(config);
   bool has_gap = false;
   for (const MonitorSettings& monitor : config.monitors) {
-    if (monitor.kind == MonitorKind::displacement) continue;
-    const auto [values, unit] = column_of(monitor, history);
-    if (!values) continue;
-    const std::vector<double> late = since(times, *values, begin);
+    if (monitor.kind != MonitorKind::gap && monitor.kind != MonitorKind::flux) continue;
+    const std::vector<MonitorColumn> columns = columns_in(history, monitor);
+    if (columns.empty()) continue;
+    const std::vector<double>& values = *history.find(columns.front().name());
+    const std::string& unit = columns.front().unit;
+    const std::vector<double> late = since(times, values, begin);
     if (late.empty()) continue;
     if (monitor.kind == MonitorKind::flux) {
       figures.values[monitor.name + "_mean" + unit] = mean(late);
@@ -102,7 +118,7 @@ void add_history(const Case& config, const io::Series& history, Figures& figures
     }
     figures.values[monitor.name + "_peak" + unit] = *std::max_element(late.begin(), late.end());
     figures.values[monitor.name + "_least" + unit] = *std::min_element(late.begin(), late.end());
-    if (!has_gap) add_vibration(uniform_since(from_zero(times, *values), begin), figures);
+    if (!has_gap) add_vibration(uniform_since(from_zero(times, values), begin), figures);
     has_gap = true;
   }
 }
@@ -111,7 +127,8 @@ void add_history(const Case& config, const io::Series& history, Figures& figures
 std::vector<double> first_flux(const Case& config, const io::Series& history) {
   for (const MonitorSettings& monitor : config.monitors) {
     if (monitor.kind != MonitorKind::flux) continue;
-    if (const auto* values = column_of(monitor, history).values) return from_zero(*history.find("time_s"), *values);
+    const std::vector<MonitorColumn> columns = columns_in(history, monitor);
+    if (!columns.empty()) return from_zero(*history.find("time_s"), *history.find(columns.front().name()));
   }
   return {};
 }

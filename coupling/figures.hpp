@@ -10,6 +10,8 @@
 namespace vocalis::coupling {
 
 /// What a finished run says: figures by name, each name with its unit (f0_Hz, F1_Hz, SPL_dB.mouth, gap_peak_m, ...).
+/// Of the monitors' columns it says what the case's statistics ask for (see `statistics`), or else what a voice is made
+/// of: peak and least gap, vibration, mean flow.
 struct Figures {
   std::map<std::string, double> values;
   std::string vibration;  ///< "grows", "holds", "decays" or "none": the folds' amplitude from period to period

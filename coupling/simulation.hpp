@@ -9,7 +9,7 @@
 #include "core/base/timers.hpp"
 #include "coupling/clock.hpp"
 #include "coupling/flow_history.hpp"
-#include "coupling/monitors.hpp"
+#include "coupling/monitors/monitors.hpp"
 #include "coupling/scene.hpp"
 #include "coupling/voice.hpp"
 

@@ -20,6 +20,7 @@ Json expected_figures(const Case& config, const Figures& figures) {
   Json result = Json::object();
   for (const auto& [name, expected] : config.expected) {
     Json entry = {{"value", expected.value}, {"tolerance", expected.tolerance}, {"source", expected.source}};
+    if (expected.spread > 0) entry["spread"] = expected.spread;
     const auto found = figures.values.find(name);
     entry["error"] = found == figures.values.end() ? Json(nullptr) : number(found->second - expected.value);
     result[name] = entry;

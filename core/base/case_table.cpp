@@ -194,6 +194,19 @@ std::string Table::text_or(const std::string& key, const std::string& fallback,
   return fallback;
 }
 
+std::vector<std::string> Table::texts(const std::string& key) {
+  const TomlNode& node = need(key, "");
+  const std::string remedy = "write texts in square brackets: [\"a\", \"b\"]";
+  if (node.kind != Kind::array) wrong_type(node, place(key), "an array of texts", remedy);
+  std::vector<std::string> result;
+  for (const TomlNode& item : node.children) {
+    if (item.kind != Kind::text || item.text.empty()) wrong_type(item, place(key), "an array of texts", remedy);
+    result.push_back(item.text);
+  }
+  if (result.empty()) throw UserError(place(key) + " must not be empty", "[]", remedy);
+  return result;
+}
+
 void Table::resolve_text(const std::string& key, const std::string& text) { need(key, "").text = text; }
 
 std::vector<double> Table::numbers(const std::string& key, std::size_t least, std::size_t most,

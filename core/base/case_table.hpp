@@ -49,6 +49,8 @@ class Table {
   std::string text(const std::string& key, const std::vector<std::string>& allowed = {});
   std::string text_or(const std::string& key, const std::string& fallback,
                       const std::vector<std::string>& allowed = {});
+  /// One text or more, for example names of groups.
+  std::vector<std::string> texts(const std::string& key);
   /// From `least` to `most` finite numbers, for example the coordinates of a point.
   std::vector<double> numbers(const std::string& key, std::size_t least, std::size_t most,
                               const std::string& unit = "");

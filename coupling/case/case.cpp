@@ -72,8 +72,11 @@ void read_expected(base::Table& root, Case& config) {
   if (!expected) return;
   for (const std::string& name : expected->keys()) {
     base::Table result = expected->table(name);
-    config.expected[name] = {result.number("value", base::any_number), result.number("tolerance", base::positive),
-                             result.text("source")};
+    ExpectedResult& wanted = config.expected[name];
+    wanted.value = result.number("value", base::any_number);
+    wanted.tolerance = result.number("tolerance", base::positive);
+    wanted.source = result.text("source");
+    wanted.spread = result.number_or("spread", wanted.spread, base::not_negative);
   }
 }
 
@@ -83,7 +86,7 @@ void check_together(const base::Table& root, const Case& config) {
   const bool has_fluid = std::any_of(config.regions.begin(), config.regions.end(), is_fluid);
   const auto is_solid = [](const Region& region) { return region.kind == RegionKind::solid; };
   const bool all_solid = std::all_of(config.regions.begin(), config.regions.end(), is_solid);
-  if (config.flow && !has_fluid) {
+  if (config.flow && !has_fluid && !all_solid) {
     throw UserError(root.place("flow") + " needs a region of fluid", "no [[region]] of kind \"fluid\"",
                     "give one region kind = \"fluid\", or leave [flow] out");
   }
@@ -131,6 +134,7 @@ Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::st
   read_source(root, config);
   read_microphones(root, config);
   read_monitors(root, config);
+  read_statistics(root, config);
   read_output(root, config);
   read_expected(root, config);
   root.reject_unknown_keys();

@@ -10,7 +10,8 @@
 
 #include "acoustic_solver/pulse.hpp"
 #include "acoustic_solver/settings.hpp"
-#include "coupling/monitors.hpp"
+#include "coupling/monitors/monitor_settings.hpp"
+#include "coupling/statistics.hpp"
 #include "fsi_solver/settings.hpp"
 
 namespace vocalis::coupling {
@@ -46,6 +47,7 @@ struct ExpectedResult {
   double value = 0;      ///< in the unit that the result's name carries
   double tolerance = 0;  ///< absolute, in the same unit
   std::string source;
+  double spread = 0;  ///< the source's own uncertainty, in the same unit; 0: it tells none
 };
 
 /// A name or point of the case that only the mesh can confirm, with its place in the file.
@@ -70,6 +72,7 @@ struct Case {
   std::optional<SourceSettings> source;
   std::vector<acoustic::MicrophoneSettings> microphones;
   std::vector<MonitorSettings> monitors;
+  std::optional<StatisticsSettings> statistics;  ///< of the monitors' columns; none: those of a voice
   OutputSettings output;
   std::map<std::string, ExpectedResult> expected;
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -63,11 +64,56 @@ fsi::FlowBoundary read_boundary(base::Table& table, Case& config) {
     boundary.profile = table.choice_or<fsi::VelocityProfile>(
         "profile", boundary.profile,
         {{"uniform", fsi::VelocityProfile::uniform}, {"parabolic", fsi::VelocityProfile::parabolic}});
+    boundary.period = table.number_or("period", boundary.period, base::not_negative, "s");
   }
   if (boundary.kind != Kind::wall && boundary.kind != Kind::symmetry && boundary.kind != Kind::fixed) {
     boundary.ramp = table.number_or("ramp", boundary.ramp, base::not_negative, "s");
   }
   return boundary;
+}
+
+/// What the finite elements are, and what holds them stable.
+void read_discretisation(base::Table& table, fsi::FlowSettings& flow) {
+  flow.elements = table.choice_or<fsi::Elements>("elements", flow.elements,
+                                                 {{"P1P1", fsi::Elements::p1p1}, {"P2P1", fsi::Elements::p2p1}});
+  flow.geometry = table.choice_or<fsi::Geometry>(
+      "geometry", flow.geometry, {{"implicit", fsi::Geometry::implicit}, {"explicit", fsi::Geometry::explicit_}});
+  flow.streamline_stabilisation = table.boolean_or("streamline_stabilisation", flow.streamline_stabilisation);
+  if (flow.elements == fsi::Elements::p1p1) {
+    flow.pressure_stabilisation = table.boolean_or("pressure_stabilisation", flow.pressure_stabilisation);
+  } else if (table.has("pressure_stabilisation")) {
+    throw UserError(table.place("pressure_stabilisation") + " is of elements = \"P1P1\" alone", "elements = \"P2P1\"",
+                    "leave it out: P2P1 is stable by itself");
+  }
+}
+
+/// How the fluid's mesh follows the solids, where there are both.
+void read_smoother(base::Table& table, Case& config) {
+  fsi::FlowSettings& flow = *config.flow;
+  flow.mesh_stiffening = table.number_or("mesh_stiffening", flow.mesh_stiffening, base::not_negative);
+  const auto is_fluid = [](const Region& region) { return region.kind == RegionKind::fluid; };
+  const bool has_fluid = std::any_of(config.regions.begin(), config.regions.end(), is_fluid);
+  if (has_fluid && !flow.solids.empty()) {
+    flow.smoother = table.choice_or<fsi::Smoother>(
+        "smoother", flow.smoother, {{"linear", fsi::Smoother::linear}, {"nonlinear", fsi::Smoother::nonlinear}});
+    flow.smoother_quality = table.number_or("smoother_quality", flow.smoother_quality, base::between(0, 1));
+    return;
+  }
+  for (const char* key : {"smoother", "smoother_quality"}) {
+    if (!table.has(key)) continue;
+    throw UserError(table.place(key) + " needs a solid that moves the mesh of a fluid",
+                    has_fluid ? "no region of kind \"solid\"" : "no region of kind \"fluid\"", "leave it out");
+  }
+}
+
+/// A step that adapts to its local error; without a tolerance it stays dt.
+void read_adaptive_step(base::Table& table, fsi::TimeSettings& time) {
+  time.tolerance = table.number_or("tolerance", time.tolerance, base::between(0, 1));
+  time.largest_step = table.number_or("largest_dt", time.largest_step, base::not_negative, "s");
+  if (time.largest_step > 0 && time.largest_step < time.step) {
+    throw UserError(table.place("largest_dt") + " must not be smaller than time.dt [s]",
+                    std::to_string(time.largest_step), "choose a larger one, or leave it out: then it is dt");
+  }
 }
 
 }  // namespace
@@ -102,15 +148,15 @@ void read_flow(base::Table& root, Case& config) {
   if (!config.flow) return;
   base::Table table = root.table("flow");
   fsi::FlowSettings& flow = *config.flow;
-  table.text_or("elements", "P1P1", {"P1P1"});
   flow.density = table.number_or("density", flow.density, base::positive, "kg/m^3");
   flow.viscosity = table.number_or("viscosity", flow.viscosity, base::positive, "Pa s");
   flow.gravity = read_vector_or(table, "gravity", flow.gravity, "m/s^2", config);
+  read_discretisation(table, flow);
   flow.newton_tolerance = table.number_or("newton_tolerance", flow.newton_tolerance, base::inside(0, 1));
   flow.newton_iterations = table.integer_or("newton_iterations", flow.newton_iterations, base::between(1, 1000));
   flow.backflow_stabilisation =
       table.number_or("backflow_stabilisation", flow.backflow_stabilisation, base::between(0, 1));
-  flow.mesh_stiffening = table.number_or("mesh_stiffening", flow.mesh_stiffening, base::not_negative);
+  read_smoother(table, config);
   std::vector<std::string> groups;
   for (base::Table& boundary : table.tables("boundary")) {
     flow.boundaries.push_back(read_boundary(boundary, config));
@@ -134,6 +180,7 @@ void read_time(base::Table& root, Case& config) {
                                                  {{"theta", fsi::TimeScheme::theta}, {"bdf2", fsi::TimeScheme::bdf2}});
   time.theta = table.number_or("theta", time.theta, base::between(0.5, 1));
   time.smallest_step = table.number_or("smallest_dt", time.smallest_step, base::between(0, time.step), "s");
+  read_adaptive_step(table, time);
 }
 
 }  // namespace vocalis::coupling

@@ -1,31 +1,107 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.hpp"
 #include "coupling/case/case_sections.hpp"
 
 namespace vocalis::coupling {
 
+namespace {
+
+using base::UserError;
+using Kind = MonitorKind;
+
+const std::vector<std::pair<std::string, Kind>> monitor_kinds = {
+    {"gap", Kind::gap},      {"flux", Kind::flux},         {"displacement", Kind::displacement},
+    {"force", Kind::force},  {"pressure", Kind::pressure}, {"pressure_difference", Kind::pressure_difference},
+    {"energy", Kind::energy}};
+
+std::string read_name(base::Table& table, Kind kind) {
+  if (kind == Kind::force) return read_plain_name_or(table, "name", "");
+  if (kind == Kind::energy) return read_plain_name_or(table, "name", "energy");
+  return read_plain_name(table, "name");
+}
+
+/// Where a flux is taken: a group of facets, or a line from one point to another.
+void read_cut(base::Table& table, MonitorSettings& monitor, Case& config) {
+  const bool is_line = table.has("from") || table.has("to");
+  if (!is_line) {
+    monitor.group = read_group(table, config);
+    return;
+  }
+  if (table.has("group")) {
+    throw UserError(table.place() + " needs a group, or a line by from and to", "both", "leave out one of them");
+  }
+  monitor.from = read_vector(table, "from", "m", config);
+  monitor.to = read_vector(table, "to", "m", config);
+  if (monitor.from == monitor.to) {
+    throw UserError(table.place("to") + " must be another point than from", "the same point",
+                    "give the two ends of a line");
+  }
+}
+
+MonitorSettings read_monitor(base::Table& table, Case& config) {
+  MonitorSettings monitor;
+  monitor.kind = table.choice("kind", monitor_kinds);
+  monitor.name = read_name(table, monitor.kind);
+  switch (monitor.kind) {
+    case Kind::gap:
+      monitor.group = read_group(table, config);
+      monitor.mirrored = table.boolean_or("mirrored", monitor.mirrored);
+      monitor.axis = table.choice_or<int>("axis", monitor.axis, {{"x", 0}, {"y", 1}, {"z", 2}});
+      monitor.plane = table.number_or("plane", monitor.plane, base::any_number, "m");
+      break;
+    case Kind::flux:
+      read_cut(table, monitor, config);
+      monitor.mirrored = table.boolean_or("mirrored", monitor.mirrored);
+      break;
+    case Kind::force:
+      monitor.groups = read_groups(table, config);
+      monitor.reference_force = table.number_or("reference_force", monitor.reference_force, base::not_negative, "N");
+      break;
+    case Kind::displacement:
+    case Kind::pressure:
+      monitor.position = read_vector(table, "position", "m", config);
+      break;
+    case Kind::pressure_difference:
+      monitor.position = read_vector(table, "position", "m", config);
+      monitor.other = read_vector(table, "other", "m", config);
+      break;
+    case Kind::energy:
+      break;
+  }
+  return monitor;
+}
+
+}  // namespace
+
 void read_monitors(base::Table& root, Case& config) {
   std::vector<std::string> names;
   for (base::Table& table : root.tables("monitor")) {
-    MonitorSettings monitor;
-    monitor.name = read_plain_name(table, "name");
-    monitor.kind = table.choice<MonitorKind>(
-        "kind", {{"gap", MonitorKind::gap}, {"flux", MonitorKind::flux}, {"displacement", MonitorKind::displacement}});
-    if (monitor.kind == MonitorKind::displacement) {
-      monitor.position = read_vector(table, "position", "m", config);
-    } else {
-      monitor.group = read_group(table, config);
-      monitor.mirrored = table.boolean_or("mirrored", monitor.mirrored);
-    }
-    if (monitor.kind == MonitorKind::gap) {
-      monitor.axis = table.choice_or<int>("axis", monitor.axis, {{"x", 0}, {"y", 1}, {"z", 2}});
-      monitor.plane = table.number_or("plane", monitor.plane, base::any_number, "m");
-    }
-    names.push_back(monitor.name);
-    config.monitors.push_back(monitor);
+    config.monitors.push_back(read_monitor(table, config));
+    names.push_back(config.monitors.back().name);
   }
   reject_duplicates(root, "[[monitor]]", names);
+}
+
+void read_statistics(base::Table& root, Case& config) {
+  auto table = root.table_if("statistics");
+  if (!table) return;
+  StatisticsSettings& statistics = config.statistics.emplace();
+  statistics.kind = table->choice<StatisticsKind>(
+      "kind",
+      {{"last", StatisticsKind::last}, {"periodic", StatisticsKind::periodic}, {"extrema", StatisticsKind::extrema}});
+  if (statistics.kind == StatisticsKind::periodic) statistics.period_of = table->text("period_of");
+  if (statistics.kind != StatisticsKind::last) {
+    statistics.begin = table->number_or("begin", statistics.begin, base::not_negative, "s");
+  }
+  if (config.monitors.empty()) {
+    throw UserError(table->place() + " needs a monitor", "no [[monitor]]", "add monitors, or leave [statistics] out");
+  }
+  if (statistics.begin >= config.time.end) {
+    throw UserError(table->place("begin") + " must be earlier than time.end [s]", std::to_string(statistics.begin),
+                    "choose an earlier begin, or a later end");
+  }
 }
 
 }  // namespace vocalis::coupling

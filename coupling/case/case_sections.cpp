@@ -58,6 +58,14 @@ std::string read_group(base::Table& table, Case& config) {
   return name;
 }
 
+std::vector<std::string> read_groups(base::Table& table, Case& config) {
+  const std::vector<std::string> names = table.texts("groups");
+  for (const std::string& name : names) {
+    config.references.push_back({MeshReference::Kind::group, table.place("groups"), name, {}});
+  }
+  return names;
+}
+
 void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names) {
   std::set<std::string> seen;
   for (const std::string& name : names) {

@@ -16,6 +16,7 @@ void read_acoustics(base::Table& root, Case& config);
 void read_source(base::Table& root, Case& config);
 void read_microphones(base::Table& root, Case& config);
 void read_monitors(base::Table& root, Case& config);
+void read_statistics(base::Table& root, Case& config);
 
 /// A name that becomes part of file names and of column names: letters, digits, "_" and "-".
 std::string read_plain_name(base::Table& table, const std::string& key);
@@ -26,8 +27,9 @@ std::array<double, 3> read_vector(base::Table& table, const std::string& key, co
 std::array<double, 3> read_vector_or(base::Table& table, const std::string& key, const std::array<double, 3>& fallback,
                                      const std::string& unit, Case& config);
 
-/// The name of a group of facets.
+/// The name of a group of facets; the names of several.
 std::string read_group(base::Table& table, Case& config);
+std::vector<std::string> read_groups(base::Table& table, Case& config);
 
 /// Throws if a name stands twice. `what` is the kind of thing: "[[region]]".
 void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names);

@@ -54,6 +54,9 @@ TEST_CASE("a table answers with the values of the file") {
   CHECK(regions[1].path("density") == "region[fold].density");
   CHECK(regions[1].place("density") == "case.toml:12: region[fold].density");
   CHECK(root.tables("microphone").front().numbers("position", 2, 3, "m") == std::vector<double>{0, 1, 2});
+  TomlNode names = parse_toml("groups = [\"wall\", \"flag\"]\nnone = []", "case.toml");
+  CHECK(Table(names).texts("groups") == std::vector<std::string>{"wall", "flag"});
+  CHECK_THAT(message_of([&] { Table(names).texts("none"); }), Contains("must not be empty"));
   CHECK(root.tables("acoustic").empty());
   CHECK_FALSE(root.table_if("flow").has_value());
 }
@@ -72,6 +75,8 @@ TEST_CASE("a wrong value is told with file, line, key, rule, value and remedy") 
              Contains("a whole number") && Contains("a number: 1.0"));
   CHECK_THAT(message_of([&] { table.numbers("f", 3, 3, "m"); }), Contains("an array of 3 numbers [m]"));
   CHECK_THAT(message_of([&] { table.text("g"); }), Contains("must not be empty"));
+  CHECK_THAT(message_of([&] { table.texts("f"); }), Contains("f must be an array of texts") && Contains("number: 1"));
+  CHECK_THAT(message_of([&] { table.texts("b"); }), Contains("square brackets"));
   CHECK_THAT(message_of([&] { table.table("f"); }), Contains("must be a table") && Contains("an array"));
   CHECK_THAT(message_of([&] { table.tables("a"); }), Contains("an array of tables") && Contains("[[a]]"));
   CHECK_THAT(message_of([&] { table.number("missing", any_number); }),

@@ -40,6 +40,7 @@ ramp = 0.01
 group = "sides"
 kind = "velocity"
 velocity = [1, 0]
+period = 16
 [time]
 end = 0.1
 dt = 1e-5
@@ -61,8 +62,21 @@ name = "gap"
 kind = "gap"
 group = "surface"
 axis = "y"
+[[monitor]]
+kind = "force"
+groups = ["sides", "surface"]
+reference_force = 20
+[[monitor]]
+name = "across"
+kind = "flux"
+from = [0, 0]
+to = [0, 1]
+[statistics]
+kind = "periodic"
+period_of = "lift_coefficient"
+begin = 0.05
 [expected]
-f0_Hz = { value = 120, tolerance = 5, source = "a measurement" }
+f0_Hz = { value = 120, tolerance = 5, source = "a measurement", spread = 2 }
 )";
 
 /// A folder with a case file and its geometry, the same on all ranks.
@@ -126,6 +140,93 @@ TEST_CASE("a case file becomes settings, with the defaults of the structs") {
   CHECK(config.expected.at("f0_Hz").tolerance == 5);
 }
 
+TEST_CASE("what a case says about elements, mesh motion, step and statistics becomes settings") {
+  const Folder folder;
+  const Case usual = read_case(MPI_COMM_WORLD, folder.write(example), {});
+  CHECK(usual.flow->elements == fsi::Elements::p1p1);
+  CHECK(usual.flow->boundaries[1].period == 16);
+  CHECK(usual.time.tolerance == 0);
+  REQUIRE(usual.monitors.size() == 3);
+  CHECK(usual.monitors[1].name.empty());
+  CHECK(usual.monitors[1].groups == std::vector<std::string>{"sides", "surface"});
+  CHECK(usual.monitors[1].reference_force == 20);
+  CHECK(usual.monitors[2].to == std::array<double, 3>{0, 1, 0});
+  REQUIRE(usual.statistics.has_value());
+  CHECK(usual.statistics->kind == StatisticsKind::periodic);
+  CHECK(usual.statistics->period_of == "lift_coefficient");
+  CHECK(usual.statistics->begin == 0.05);
+  CHECK(usual.expected.at("f0_Hz").spread == 2);
+  CHECK_THAT(usual.resolved, Contains("pressure_stabilisation = true  # default"));
+
+  const Case chosen = read_case(
+      MPI_COMM_WORLD, folder.write(example),
+      {"flow.elements=P2P1", "flow.geometry=explicit", "flow.streamline_stabilisation=false", "flow.smoother=nonlinear",
+       "flow.smoother_quality=0.2", "time.tolerance=1e-3", "time.largest_dt=1e-3"});
+  CHECK(chosen.flow->elements == fsi::Elements::p2p1);
+  CHECK(chosen.flow->geometry == fsi::Geometry::explicit_);
+  CHECK_FALSE(chosen.flow->streamline_stabilisation);
+  CHECK(chosen.flow->smoother == fsi::Smoother::nonlinear);
+  CHECK(chosen.flow->smoother_quality == 0.2);
+  CHECK(chosen.time.tolerance == 1e-3);
+  CHECK(chosen.time.largest_step == 1e-3);
+  CHECK(chosen.resolved.find("pressure_stabilisation") == std::string::npos);
+}
+
+TEST_CASE("each kind of monitor takes its own keys") {
+  const Folder folder;
+  const std::string text = R"([case]
+name = "monitors"
+[mesh]
+geometry = "example.geo"
+[[region]]
+name = "bar"
+kind = "solid"
+young_modulus = 1.4e6
+[flow]
+gravity = [0, -2]
+[time]
+end = 1
+dt = 0.1
+[[monitor]]
+name = "tip"
+kind = "displacement"
+position = [0.6, 0.2]
+[[monitor]]
+name = "front"
+kind = "pressure"
+position = [0.15, 0.2]
+[[monitor]]
+name = "fall"
+kind = "pressure_difference"
+position = [0.15, 0.2]
+other = [0.25, 0.2]
+[[monitor]]
+kind = "energy"
+[[monitor]]
+name = "flag"
+kind = "force"
+groups = ["flag"]
+)";
+  const Case config = read_case(MPI_COMM_WORLD, folder.write(text), {});
+  REQUIRE(config.monitors.size() == 5);
+  CHECK(config.monitors[1].position == std::array<double, 3>{0.15, 0.2, 0});
+  CHECK(config.monitors[2].other == std::array<double, 3>{0.25, 0.2, 0});
+  CHECK(config.monitors[3].kind == MonitorKind::energy);
+  CHECK(config.monitors[4].reference_force == 0);
+  const std::vector<std::string> names = {
+      "tip_x_m",           "tip_y_m",          "front_Pa",         "fall_Pa",
+      "energy_kinetic_J",  "energy_elastic_J", "power_supplied_W", "power_dissipated_W",
+      "energy_residual_J", "flag_drag_N",      "flag_lift_N"};
+  std::vector<std::string> found;
+  for (const MonitorSettings& monitor : config.monitors) {
+    for (const MonitorColumn& column : columns_of(monitor, 2)) found.push_back(column.name());
+  }
+  CHECK(found == names);
+  CHECK_THAT(message_of(folder, text, {"flow.smoother=nonlinear"}), Contains("no region of kind \"fluid\""));
+  CHECK_THAT(message_of(folder, text, {"monitor.front.other=[0, 0]"}), Contains("not a key"));
+  CHECK_THAT(message_of(folder, text, {"monitor.flag.groups=flag"}), Contains("an array of texts"));
+}
+
 TEST_CASE("the resolved case reads as the same case") {
   const Folder folder;
   const Case config = read_case(MPI_COMM_WORLD, folder.write(example), {"time.dt=5e-6", "acoustic.far.density=1.1"});
@@ -185,6 +286,21 @@ TEST_CASE("a case that contradicts itself is refused with the rule and a remedy"
       {"mesh.file=nothing.msh", "one of geometry and file"},
       {"source.kind=lf", "group is needed"},
       {"monitor.kind=gab", "did you mean \"gap\""},
+      {"monitor.across.group=sides", "a group, or a line"},
+      {"monitor.across.to=[0, 0]", "another point"},
+      {"monitor.across.name=gap", "a name of its own"},
+      {"statistics.kind=mean", "last, periodic, extrema"},
+      {"statistics.begin=0.1", "earlier than time.end"},
+      {"statistics.kind=last", "not a key"},
+      {"flow.elements=P2P2", "one of P1P1, P2P1"},
+      {"flow.geometry=fixed", "implicit, explicit"},
+      {"flow.smoother=none", "linear, nonlinear"},
+      {"flow.smoother_quality=2", "from 0 to 1"},
+      {"flow.boundary.inlet.period=1", "not a key"},
+      {"flow.boundary.sides.period=-1", "zero or positive"},
+      {"time.tolerance=-1", "from 0 to 1"},
+      {"time.largest_dt=1e-6", "not be smaller than time.dt"},
+      {"expected.f0_Hz.spread=-1", "zero or positive"},
       {"expected.f0_Hz.tolerance=0", "positive"}};
   for (const auto& [override, words] : mistakes) {
     INFO(override);

@@ -130,6 +130,35 @@ TEST_CASE("monitors whose names begin alike keep their own columns", "[serial]")
   CHECK(figures.values.count("gap_peak_2_m") == 0);
 }
 
+TEST_CASE("a case's statistics say what becomes of its monitors' columns, instead of a voice's figures", "[serial]") {
+  const Folder folder;
+  Case config = case_of({}, true);
+  config.microphones.clear();
+  MonitorSettings tip;
+  tip.name = "tip";
+  tip.kind = MonitorKind::displacement;
+  config.monitors.push_back(tip);
+  std::ofstream file(folder.file("history.csv"));
+  file << "step,time_s,dt_s,gap_m,flow_m2_s,tip_x_m,tip_y_m\n";
+  for (int n = 1; n <= 1000; ++n) {
+    const double t = n * 1e-3;
+    file << n << ',' << t << ",1e-3,1,3," << 5 + std::sin(2 * M_PI * 10 * t) << ",7\n";
+  }
+  file.close();
+  config.statistics = {StatisticsKind::last, "", 0};
+  const Figures last = evaluate_run(config, folder.path());
+  CHECK(last.values.size() == 4);
+  CHECK(last.values.at("tip_y_m") == 7);
+  CHECK(last.values.at("flow_m2_s") == 3);
+  config.statistics = {StatisticsKind::periodic, "tip_x_m", 0.2};
+  const Figures periodic = evaluate_run(config, folder.path());
+  CHECK(periodic.values.at("tip_x_mean_m") == Approx(5).epsilon(1e-3));
+  CHECK(periodic.values.at("tip_x_amplitude_m") == Approx(1).epsilon(1e-3));
+  CHECK(periodic.values.at("tip_x_frequency_Hz") == Approx(10).epsilon(1e-3));
+  CHECK(periodic.values.at("flow_mean_m2_s") == 3);
+  CHECK(periodic.vibration.empty());
+}
+
 TEST_CASE("every acoustic solver is read from its own file", "[serial]") {
   const Folder folder;
   write_history(folder);

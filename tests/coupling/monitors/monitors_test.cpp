@@ -1,4 +1,4 @@
-#include "coupling/monitors.hpp"
+#include "coupling/monitors/monitors.hpp"
 
 #include "core/base/error.hpp"
 #include "core/mesh/generate.hpp"

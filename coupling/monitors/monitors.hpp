@@ -7,25 +7,9 @@
 
 #include "core/mesh/facets.hpp"
 #include "core/mesh/mesh.hpp"
+#include "coupling/monitors/monitor_settings.hpp"
 
 namespace vocalis::coupling {
-
-enum class MonitorKind {
-  gap,          ///< smallest distance of a group's vertices from the plane where a coordinate has a given value [m]
-  flux,         ///< volume flow out of the flow mesh through a group, ∫ v·n ds [m^2/s in 2-D, m^3/s]
-  displacement  ///< displacement of the vertex nearest to a point, one column a component [m]
-};
-
-/// A number of the flow that history.csv records at every step.
-struct MonitorSettings {
-  std::string name;
-  MonitorKind kind = MonitorKind::gap;
-  std::string group;                           ///< of facets, for gap and flux
-  int axis = 1;                                ///< 0, 1, 2 = x, y, z: normal of the plane, for gap
-  double plane = 0;                            ///< its coordinate [m], for gap
-  bool mirrored = false;                       ///< half model: gap and flux count twice
-  std::array<double, 3> position = {0, 0, 0};  ///< [m], for displacement
-};
 
 /// The state of the flow that monitors read; vertices of the flow mesh, ghosts current.
 struct MonitoredFlow {

@@ -1,4 +1,4 @@
-#include "coupling/monitors.hpp"
+#include "coupling/monitors/monitors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,6 @@
 namespace vocalis::coupling {
 
 namespace {
-
-constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
 
 double gap(const mesh::Mesh& mesh, const std::vector<mesh::NamedFacet>& facets, const MonitorSettings& settings,
            std::span<const double> coordinates) {
@@ -62,9 +60,12 @@ Monitors::Monitors(const mesh::Mesh& flow_mesh, const std::vector<MonitorSetting
   const int d = flow_mesh.dimension;
   for (const MonitorSettings& monitor : settings) {
     Bound bound = {monitor, {}, -1, -1};
+    for (const MonitorColumn& column : columns_of(monitor, d)) columns_.push_back(column.name());
     if (monitor.kind == MonitorKind::displacement) {
       std::tie(bound.rank, bound.vertex) = nearest_vertex(flow_mesh, monitor.position);
-      for (int k = 0; k < d; ++k) columns_.push_back(monitor.name + "_" + axis_names[k] + "_m");
+    } else if (monitor.group.empty()) {
+      throw base::UserError("monitor \"" + monitor.name + "\" is of a kind that is not computed yet", "such a monitor",
+                            "leave it out");
     } else {
       bound.facets = mesh::facets_of_group(flow_mesh, monitor.group);
       if (base::sum(flow_mesh.comm, static_cast<std::int64_t>(bound.facets.size())) == 0) {
@@ -72,8 +73,6 @@ Monitors::Monitors(const mesh::Mesh& flow_mesh, const std::vector<MonitorSetting
                               "group = \"" + monitor.group + "\"",
                               base::did_you_mean(monitor.group, flow_mesh.group_names));
       }
-      const char* unit = monitor.kind == MonitorKind::gap ? "_m" : (d == 2 ? "_m2_s" : "_m3_s");
-      columns_.push_back(monitor.name + unit);
     }
     monitors_.push_back(std::move(bound));
   }
@@ -90,6 +89,11 @@ std::vector<double> Monitors::evaluate(const MonitoredFlow& flow) const {
         break;
       case MonitorKind::flux:
         values.push_back(factor * flux(*mesh_, monitor.facets, flow.velocity));
+        break;
+      case MonitorKind::force:
+      case MonitorKind::pressure:
+      case MonitorKind::pressure_difference:
+      case MonitorKind::energy:
         break;
       case MonitorKind::displacement:
         for (int k = 0; k < d; ++k) {
