@@ -22,8 +22,8 @@ using Random = std::mt19937_64;
 /// A whole number from 0 to `below` - 1.
 std::int64_t draw(Random& random, std::int64_t below);
 
-/// Triangles or tetrahedra in random order, three regions, sides and some inner facets named, some edges curved; cells dealt to ranks at
-/// random, in blocks, or all to one rank.
+/// Triangles or tetrahedra in random order, three regions, sides and some inner facets named, some edges curved; cells
+/// dealt to ranks at random, in blocks, or all to one rank.
 RandomCase random_case(Random& random, int ranks);
 
 /// A mask over the whole cells: each cell by chance, a single cell, half of the box, nothing, all, or some ranks empty.
