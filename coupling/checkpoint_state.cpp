@@ -20,13 +20,14 @@ std::int64_t fingerprint(const mesh::Mesh& mesh) {
   return static_cast<std::int64_t>(hash >> 1);
 }
 
-/// The five vertex and pressure arrays of the flow, by name.
+/// The arrays of the flow, by name.
 template <class State, class Function>
 void for_each_flow_array(State& state, const Function& function) {
   function("flow.velocity", state.velocity.values);
   function("flow.velocity_before", state.velocity_before.values);
   function("flow.displacement", state.displacement.values);
   function("flow.displacement_before", state.displacement_before.values);
+  function("flow.acceleration", state.acceleration.values);
   function("flow.pressure", state.pressure.values);
 }
 
@@ -60,10 +61,11 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
   const Clock& clock = simulation.clock();
   add("clock", on_rank_0(comm, {clock.time, static_cast<double>(clock.step), static_cast<double>(clock.rejected),
                                 static_cast<double>(clock.halvings), static_cast<double>(clock.accepted_in_a_row),
+                                static_cast<double>(clock.steps_to_wait), clock.adaptive_step, clock.last_error,
                                 facts.wall_seconds}));
   if (simulation.flow()) {
     const fsi::State& state = simulation.flow()->state();
-    add("flow.times", on_rank_0(comm, {state.time, state.last_dt}));
+    add("flow.times", on_rank_0(comm, {state.time, state.last_dt, state.largest_speeds[0], state.largest_speeds[1]}));
     for_each_flow_array(state, add);
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
@@ -101,18 +103,26 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     values = std::move(stored);
   };
   const std::vector<double> times = numbers("clock");
+  if (times.size() != 9) {
+    throw base::UserError("the checkpoint must be of this version of Vocalis: " + path, "another version's clock",
+                          "run the case again");
+  }
   Clock clock = simulation.clock();
   clock.time = times[0];
   clock.step = static_cast<long>(times[1]);
   clock.rejected = static_cast<long>(times[2]);
   clock.halvings = static_cast<int>(times[3]);
   clock.accepted_in_a_row = static_cast<int>(times[4]);
+  clock.steps_to_wait = static_cast<int>(times[5]);
+  clock.adaptive_step = times[6];
+  clock.last_error = times[7];
   simulation.set_clock(clock);
   if (simulation.flow()) {
     fsi::State state = simulation.flow()->state();
     const std::vector<double> flow_times = numbers("flow.times");
     state.time = flow_times[0];
     state.last_dt = flow_times[1];
+    state.largest_speeds = {flow_times[2], flow_times[3]};
     for_each_flow_array(state, read);
     simulation.flow()->set_state(state);
   }
@@ -125,7 +135,7 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     simulation.voices()[i]->solver().set_state(std::move(state));
   }
   simulation.restart_from_states();
-  return {times[5]};
+  return {times[8]};
 }
 
 }  // namespace vocalis::coupling

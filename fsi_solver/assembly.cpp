@@ -122,6 +122,7 @@ void Assembly::begin_step(const State& state, const Stage& stage, Vec unknowns) 
     const la::OwnedValues values(unknowns);
     layout().copy_owned_to_system(2, gradient.values, values.data());
   });
+  fields_.predict(unknowns);
 }
 
 ResidualSize Assembly::residual(Vec unknowns, Vec result) {

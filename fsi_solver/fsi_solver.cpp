@@ -1,9 +1,11 @@
 #include "fsi_solver/fsi_solver.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include "core/mesh/facets.hpp"
+#include "fsi_solver/local_error.hpp"
 #include "fsi_solver/newton.hpp"
 
 namespace vocalis::fsi {
@@ -20,7 +22,7 @@ struct FsiSolver::Inside {
     }
     assembly = std::make_unique<Assembly>(continuum, settings, conditions, prescribed, motion.get());
     newton = std::make_unique<Newton>(*assembly, settings.newton_tolerance, settings.newton_iterations, timers);
-    state.velocity = state.velocity_before = state.displacement = state.displacement_before =
+    state.velocity = state.velocity_before = state.displacement = state.displacement_before = state.acceleration =
         fem::Field(continuum.velocity_space, mesh.dimension);
     state.pressure = fem::Field(continuum.pressure_space, 1);
   }
@@ -77,6 +79,10 @@ StepReport FsiSolver::try_step(double dt) {
       report.reason = "a cell would be inverted";
     }
   }
+  if (report.converged && in.time_settings.tolerance > 0) {
+    report.local_error =
+        local_error(in.continuum, in.time_settings, stage, in.state, in.assembly->fields().end_velocity());
+  }
   if (report.converged) in.tried_dt = dt;
   return report;
 }
@@ -87,6 +93,11 @@ void FsiSolver::accept() {
   in.state.velocity_before = std::exchange(in.state.velocity, in.assembly->fields().end_velocity());
   in.state.displacement_before = std::exchange(in.state.displacement, in.assembly->fields().end_displacement());
   in.state.pressure = in.assembly->fields().pressure();
+  in.state.acceleration.values = in.assembly->fields().stage_rate();
+  if (in.time_settings.tolerance > 0) {
+    const std::array<double, 2> present = speeds(in.continuum, in.state.velocity);
+    for (int i = 0; i < 2; ++i) in.state.largest_speeds[i] = std::max(in.state.largest_speeds[i], present[i]);
+  }
   in.state.time += in.tried_dt;
   in.state.last_dt = std::exchange(in.tried_dt, 0);
 }
@@ -97,7 +108,7 @@ void FsiSolver::set_state(const State& state) {
   inside_->state = state;
   // The given fields may stand on the spaces of another solver on the same mesh.
   for (fem::Field* field : {&inside_->state.velocity, &inside_->state.velocity_before, &inside_->state.displacement,
-                            &inside_->state.displacement_before}) {
+                            &inside_->state.displacement_before, &inside_->state.acceleration}) {
     field->space = &inside_->continuum.velocity_space;
   }
   inside_->state.pressure.space = &inside_->continuum.pressure_space;

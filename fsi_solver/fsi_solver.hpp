@@ -18,6 +18,7 @@ struct StepReport {
   int newton_iterations = 0;
   int linear_iterations = 0;    ///< direct solves, one a Newton iteration
   int jacobians = 0;            ///< factorised in this step
+  double local_error = 0;       ///< relative estimate, see `local_error`; only when the step is to adapt
   double residual = 0;          ///< largest over fields and regions, relative to the size of their terms
   std::string reason;           ///< empty when converged
   double smallest_quality = 1;  ///< of the moved fluid mesh at the end of the step, see mesh::quality
@@ -39,7 +40,7 @@ class FsiSolver {
   /// Computes t + dt and leaves the accepted state alone. A step that does not converge, or turns a cell over, can only
   /// be tried again, with a smaller dt. Collective.
   StepReport try_step(double dt);
-  /// Makes the last step, which must have converged, the accepted state.
+  /// Makes the last step, which must have converged, the accepted state. Collective.
   void accept();
 
   const State& state() const;

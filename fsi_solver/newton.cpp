@@ -10,14 +10,23 @@ namespace {
 
 /// A kept Jacobian is renewed when the solve would need more iterations than this at the rate of the last one: a
 /// factorisation costs about as much as four.
-constexpr double patience = 4;
+constexpr double patience = 15;
+/// Iterations that a new Jacobian is given before it is judged: the first, from far away, may make things worse.
+constexpr std::size_t trial = 3;
+/// An error at the start of a step from which an old Jacobian leads astray.
+constexpr double far_away = 0.15;
+/// Secants kept with one Jacobian: each costs a product of vectors an iteration.
+constexpr int most_secants = 40;
 /// Beyond this growth of the error the step is given up.
 constexpr double hopeless = 1e6;
 
 }  // namespace
 
 Newton::Newton(Assembly& assembly, double tolerance, int largest_iterations, base::Timers& timers)
-    : assembly_(assembly), timers_(timers), tolerance_(tolerance) {
+    : assembly_(assembly),
+      timers_(timers),
+      tolerance_(tolerance),
+      secants_(assembly.layout().comm(), assembly.layout().start(1), most_secants) {
   const la::SystemLayout& layout = assembly.layout();
   unknowns_ = la::create_vector(layout.comm(), layout.num_owned());
   result_ = la::create_vector(layout.comm(), layout.num_owned());
@@ -28,6 +37,7 @@ Newton::Newton(Assembly& assembly, double tolerance, int largest_iterations, bas
   SNESLineSearch search = nullptr;
   base::check(SNESGetLineSearch(snes, &search));
   base::check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
+  base::check(SNESLineSearchSetPreCheck(search, improve, this));
   base::check(SNESSetFunction(snes, result_.get(), residual, this));
   base::check(SNESSetJacobian(snes, assembly.matrix(), assembly.matrix(), jacobian, this));
   base::check(SNESSetConvergenceTest(snes, test, this, nullptr));
@@ -60,16 +70,35 @@ PetscErrorCode Newton::jacobian(SNES snes, Vec, Mat, Mat, void* context) {
     KSP linear = nullptr;
     base::check(SNESGetKSP(snes, &linear));
     const std::size_t n = self.errors_.size();
-    bool renew = !self.has_jacobian_;
+    bool renew = !self.has_jacobian_ || (n == 1 && self.errors_[0] > far_away);
     if (n >= 2) {
       const double rate = self.errors_[n - 1] / self.errors_[n - 2];
-      renew = renew || rate > 0.5 || std::log(self.errors_[n - 1] / self.tolerance_) > -patience * std::log(rate);
+      const bool is_slow = std::log(self.errors_[n - 1] / self.tolerance_) > -patience * std::log(rate);
+      renew = renew || rate > 1 || (is_slow && (self.jacobians_ == 0 || n >= self.last_renewal_ + trial));
     }
     if (!renew) return 0;
     const auto scope = self.timers_.scope("flow.assemble");
     self.assembly_.jacobian();
     self.has_jacobian_ = true;
+    self.secants_.clear();
     ++self.jacobians_;
+    self.last_renewal_ = n;
+    return 0;
+  } catch (...) {
+    self.failure_ = std::current_exception();
+    return PETSC_ERR_USER;
+  }
+}
+
+PetscErrorCode Newton::improve(SNESLineSearch, Vec, Vec change, PetscBool* changed, void* context) {
+  Newton& self = *static_cast<Newton*>(context);
+  try {
+    if (self.errors_.back() > far_away) {
+      self.secants_.begin_solve();
+    } else {
+      self.secants_.improve(change);
+    }
+    *changed = PETSC_TRUE;
     return 0;
   } catch (...) {
     self.failure_ = std::current_exception();
@@ -108,6 +137,7 @@ NewtonReport Newton::attempt(const State& state, const Stage& stage) {
   jacobian_stage_ = stage;
   jacobians_ = 0;
   errors_.clear();
+  secants_.begin_solve();
   failure_ = nullptr;
   assembly_.begin_step(state, stage, unknowns_.get());
   const PetscErrorCode code = SNESSolve(solver_.get(), nullptr, unknowns_.get());

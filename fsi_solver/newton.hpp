@@ -6,6 +6,7 @@
 
 #include "core/base/timers.hpp"
 #include "fsi_solver/assembly.hpp"
+#include "fsi_solver/secants.hpp"
 
 namespace vocalis::fsi {
 
@@ -20,7 +21,8 @@ struct NewtonReport {
 };
 
 /// PETSc's SNES on an Assembly, options `-flow_...`. The Jacobian is kept from iteration to iteration and from step to
-/// step, and renewed when the residual falls too slowly, or the stage's coefficients have changed.
+/// step and improved by secants; it is renewed when the residual still falls too slowly, or the stage's coefficients
+/// have changed.
 class Newton {
  public:
   /// `assembly` must outlive this. Collective.
@@ -37,6 +39,7 @@ class Newton {
   NewtonReport attempt(const State& state, const Stage& stage);
   static PetscErrorCode residual(SNES snes, Vec unknowns, Vec result, void* self);
   static PetscErrorCode jacobian(SNES snes, Vec unknowns, Mat matrix, Mat same, void* self);
+  static PetscErrorCode improve(SNESLineSearch search, Vec unknowns, Vec change, PetscBool* changed, void* self);
   static PetscErrorCode test(SNES snes, PetscInt iteration, PetscReal, PetscReal, PetscReal,
                              SNESConvergedReason* reason, void* self);
   Assembly& assembly_;
@@ -44,9 +47,11 @@ class Newton {
   double tolerance_;
   la::PetscNonlinearSolver solver_;
   la::PetscVector unknowns_, result_;
+  Secants secants_;
   bool has_jacobian_ = false;
   Stage jacobian_stage_;
   int jacobians_ = 0;
+  std::size_t last_renewal_ = 0;  ///< number of errors that were known when the Jacobian was renewed in this solve
   ResidualSize size_;
   std::vector<double> errors_;  ///< of the iterations of this solve
   std::exception_ptr failure_;

@@ -36,7 +36,7 @@ void StageFields::begin_step(const State& state, const Stage& stage, Vec unknown
   for (std::size_t i = 0; i < velocity_.values.size(); ++i) {
     velocity_.values[i] += ratio * (velocity_.values[i] - state.velocity_before.values[i]);
   }
-  impose(conditions_, continuum_, prescribed_, end_coordinates(), state.time + stage.dt, velocity_);
+  impose_at_end(velocity_);
   {
     const la::OwnedValues values(unknowns);
     layout_.copy_owned_to_system(0, velocity_.values, values.data());
@@ -49,6 +49,24 @@ void StageFields::begin_step(const State& state, const Stage& stage, Vec unknown
   move_solids();
   move_fluid_mesh();
   set_stage_geometry();
+}
+
+void StageFields::predict(Vec unknowns) {
+  const State& now = *state_;
+  if (now.last_dt <= 0) return;
+  const double ratio = stage_.dt / now.last_dt;
+  for (std::size_t i = 0; i < velocity_.values.size(); ++i) {
+    const double difference = now.velocity.values[i] - now.velocity_before.values[i];
+    velocity_.values[i] =
+        now.velocity.values[i] + (1 + ratio) * stage_.dt * now.acceleration.values[i] - ratio * ratio * difference;
+  }
+  impose_at_end(velocity_);
+  const la::OwnedValues values(unknowns);
+  layout_.copy_owned_to_system(0, velocity_.values, values.data());
+}
+
+void StageFields::impose_at_end(fem::Field& velocity) const {
+  impose(conditions_, continuum_, prescribed_, end_coordinates(), state_->time + stage_.dt, velocity);
 }
 
 /// Where the velocity's dofs are at the end of the step if their motion is prescribed; else the reference, (dofs,

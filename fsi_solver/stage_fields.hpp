@@ -26,6 +26,9 @@ class StageFields {
   /// method starts: velocity extrapolated, essential values imposed, pressure as it was. An explicit geometry is found
   /// here. Collective.
   void begin_step(const State& state, const Stage& stage, Vec unknowns);
+  /// Sets the velocity of the unknowns to a prediction of higher order, from which Newton's method has less to go. What
+  /// is frozen during a step is better taken from the linear extrapolation, which does not amplify noise as much.
+  void predict(Vec unknowns);
   /// All fields from the unknowns, ghosts current; an implicit mesh of the fluid follows the solids. Collective.
   void follow(Vec unknowns);
   /// The prescribed forces where the points are now; only needed for `inertia` of the cells.
@@ -45,6 +48,7 @@ class StageFields {
 
  private:
   std::vector<double> end_coordinates() const;
+  void impose_at_end(fem::Field& velocity) const;
   void move_solids();
   void move_fluid_mesh();
   void set_stage_geometry();

@@ -14,9 +14,11 @@ struct State {
   fem::Field velocity_before;  ///< one step earlier
   fem::Field displacement;     ///< d [m]: of the material in solids, of the mesh in the fluid
   fem::Field displacement_before;
-  fem::Field pressure;  ///< [Pa] at `time` with BDF2, at the stage t - (1 - θ) dt with θ
-  double time = 0;      ///< [s]
-  double last_dt = 0;   ///< [s]; 0: no step yet
+  fem::Field pressure;                            ///< [Pa] at `time` with BDF2, at the stage t - (1 - θ) dt with θ
+  fem::Field acceleration;                        ///< rate of the velocity at the last stage [m/s^2]; predicts
+  std::array<double, 2> largest_speeds = {0, 0};  ///< so far, of fluid and solids, see `speeds` [m/s]
+  double time = 0;                                ///< [s]
+  double last_dt = 0;                             ///< [s]; 0: no step yet
 };
 
 /// Prescribed functions of a point [m] and a time [s], for verification; each may be empty. Only the first `dimension`
