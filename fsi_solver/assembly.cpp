@@ -47,23 +47,14 @@ Assembly::Assembly(const Continuum& continuum, const FlowSettings& settings, con
       momentum_(continuum.velocity_space, continuum.mesh->dimension),
       mass_(continuum.pressure_space, 1),
       slope_(continuum.pressure_space, continuum.mesh->dimension),
-      reactions_(static_cast<std::size_t>(continuum.velocity_space.dofs.num_owned) * continuum.mesh->dimension) {
+      traction_(continuum.velocity_space, continuum.mesh->dimension),
+      outer_forces_(static_cast<std::size_t>(continuum.velocity_space.dofs.num_owned) * continuum.mesh->dimension) {
   find_held_rows();
   sort_tractions();
   int count = 0;
-  with_element([&count]<int D, int Degree>() { count = Element<D, Degree>::count; });
+  with_element(continuum_.velocity_space, [&count]<int D, int Degree>() { count = Element<D, Degree>::count; });
   matrix_ = std::make_unique<la::AssembledMatrix>(layout(), rows_of_cells(), count, held_rows_, true);
   cell_matrices_.resize(static_cast<std::size_t>(continuum.mesh->num_cells()) * count * count);
-}
-
-template <class Function>
-void Assembly::with_element(const Function& function) {
-  const bool is_linear = continuum_.velocity_space.degree == 1;
-  if (continuum_.mesh->dimension == 2) {
-    is_linear ? function.template operator()<2, 1>() : function.template operator()<2, 2>();
-  } else {
-    is_linear ? function.template operator()<3, 1>() : function.template operator()<3, 2>();
-  }
 }
 
 void Assembly::find_held_rows() {
@@ -116,7 +107,7 @@ std::vector<PetscInt> Assembly::rows_of_cells() const {
 void Assembly::begin_step(const State& state, const Stage& stage, Vec unknowns) {
   fields_.begin_step(state, stage, unknowns);
   fields_.follow(unknowns);
-  with_element([&]<int D, int Degree>() {
+  with_element(continuum_.velocity_space, [&]<int D, int Degree>() {
     const fem::Field gradient = stabilise<D, Degree>(fields_, continuum_, settings_, stabilisation_);
     if (!Element<D, Degree>::is_stabilised) return;
     const la::OwnedValues values(unknowns);
@@ -128,9 +119,10 @@ void Assembly::begin_step(const State& state, const Stage& stage, Vec unknowns) 
 ResidualSize Assembly::residual(Vec unknowns, Vec result) {
   fields_.follow(unknowns);
   fields_.find_forces();
-  for (fem::Load* load : {&momentum_, &mass_, &slope_}) std::fill(load->values.begin(), load->values.end(), 0.0);
+  for (fem::Load* load : {&momentum_, &mass_, &slope_, &traction_})
+    std::fill(load->values.begin(), load->values.end(), 0.0);
   ResidualSums sums(continuum_.labels());
-  with_element([&]<int D, int Degree>() {
+  with_element(continuum_.velocity_space, [&]<int D, int Degree>() {
     sum_cells<D, Degree>(sums);
     sum_tractions<D, Degree>(sums);
   });
@@ -192,7 +184,7 @@ void Assembly::sum_tractions(ResidualSums& sums) {
       fields_.gather(batches, batch, in);
       std::fill(out.values, out.values + E::count, Lanes{});
       add_traction<D, Degree>(in, facet, pressure, weight, out);
-      scatter(out.values, E::nodes, D, batches.velocity_dofs_of(batch), count, momentum_);
+      scatter(out.values, E::nodes, D, batches.velocity_dofs_of(batch), count, traction_);
       sums.add_terms(ResidualSums::momentum, 1 + solid, squares_of(out.values, E::nodes * D, active_lanes(count)));
     }
   }
@@ -201,12 +193,15 @@ void Assembly::sum_tractions(ResidualSums& sums) {
 /// Makes the residual whole at its owners, where essential values leave none, and adds up its squares.
 void Assembly::sum_over_ranks(ResidualSums& sums) {
   const int d = continuum_.mesh->dimension;
+  for (std::size_t i = 0; i < momentum_.values.size(); ++i) momentum_.values[i] += traction_.values[i];
   momentum_.add_to_owners();
+  if (conditions_.sets_pressure_level) traction_.add_to_owners();
+  for (std::size_t i = 0; i < outer_forces_.size(); ++i) outer_forces_[i] = -traction_.values[i];
   mass_.add_to_owners();
   if (continuum_.velocity_space.degree == 1) slope_.add_to_owners();
   for (const PetscInt row : held_rows_) {
     if (row < layout().start(1)) {
-      reactions_[row] = momentum_.values[row];
+      outer_forces_[row] += momentum_.values[row];
       momentum_.values[row] = 0;
     } else {
       mass_.values[row - layout().start(1)] = 0;
@@ -224,7 +219,7 @@ void Assembly::sum_over_ranks(ResidualSums& sums) {
 }
 
 void Assembly::jacobian() {
-  with_element([&]<int D, int Degree>() { sum_jacobian<D, Degree>(); });
+  with_element(continuum_.velocity_space, [&]<int D, int Degree>() { sum_jacobian<D, Degree>(); });
   matrix_->assemble(cell_matrices_);
 }
 

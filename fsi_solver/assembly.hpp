@@ -35,13 +35,11 @@ class Assembly {
 
   /// Results at the unknowns of the last `residual`.
   const StageFields& fields() const { return fields_; }
-  /// Forces [N] on the momentum of each dof that essential conditions take up, ∂(power)/∂v, at the stage of the last
-  /// `residual`; zero at the others. Owned dofs.
-  const std::vector<double>& reactions() const { return reactions_; }
+  /// Forces of the boundaries on each owned dof of the velocity [N], of essential conditions and of tractions, at the
+  /// stage of the last `residual`; zero inside. Their product with the velocity is the power that they supply.
+  const std::vector<double>& outer_forces() const { return outer_forces_; }
 
  private:
-  template <class Function>
-  void with_element(const Function& function);
   void find_held_rows();
   void sort_tractions();
   std::vector<PetscInt> rows_of_cells() const;
@@ -68,8 +66,8 @@ class Assembly {
   std::vector<PetscInt> held_rows_;  ///< owned positions with an essential value
   std::unique_ptr<la::AssembledMatrix> matrix_;
   std::vector<double> cell_matrices_;
-  fem::Load momentum_, mass_, slope_;
-  std::vector<double> reactions_;
+  fem::Load momentum_, mass_, slope_, traction_;
+  std::vector<double> outer_forces_;
 };
 
 }  // namespace vocalis::fsi

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/fem/simplex.hpp"
+#include "core/fem/space.hpp"
 #include "fsi_solver/constitutive.hpp"
 
 namespace vocalis::fsi {
@@ -98,6 +99,17 @@ std::array<Lanes, D> value_of(const Lanes (&x)[Nodes][D], const double (&value)[
     for (int i = 0; i < D; ++i) result[i] += x[a][i] * value[a];
   }
   return result;
+}
+
+/// Calls a function template with the dimension and degree of a velocity's space.
+template <class Function>
+void with_element(const fem::Space& velocities, const Function& function) {
+  const bool is_linear = velocities.degree == 1;
+  if (velocities.mesh->dimension == 2) {
+    is_linear ? function.template operator()<2, 1>() : function.template operator()<2, 2>();
+  } else {
+    is_linear ? function.template operator()<3, 1>() : function.template operator()<3, 2>();
+  }
 }
 
 }  // namespace vocalis::fsi

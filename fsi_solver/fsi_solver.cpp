@@ -119,6 +119,8 @@ void FsiSolver::set_state(const State& state) {
 void FsiSolver::drop_caches() { inside_->newton->drop_jacobian(); }
 
 const Continuum& FsiSolver::continuum() const { return inside_->continuum; }
+const FlowSettings& FsiSolver::settings() const { return inside_->settings; }
+const Assembly& FsiSolver::assembly() const { return *inside_->assembly; }
 const fem::Space& FsiSolver::velocity_space() const { return inside_->continuum.velocity_space; }
 const fem::Space& FsiSolver::pressure_space() const { return inside_->continuum.pressure_space; }
 const base::Timers& FsiSolver::timers() const { return inside_->timers; }

@@ -11,6 +11,7 @@
 namespace vocalis::fsi {
 
 struct Continuum;
+class Assembly;
 
 /// How a step ended. Nothing is printed here: the caller decides.
 struct StepReport {
@@ -51,6 +52,9 @@ class FsiSolver {
   void drop_caches();
 
   const Continuum& continuum() const;
+  const FlowSettings& settings() const;
+  /// The last step's equations, for what is measured from them.
+  const Assembly& assembly() const;
   /// P1 or P2, without jumps.
   const fem::Space& velocity_space() const;
   /// P1, one label in the fluid (0) and one in each incompressible solid i (1 + i).

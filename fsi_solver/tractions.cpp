@@ -11,18 +11,6 @@ double backflow_weight(const FlowBoundary& boundary, double at_outlets) {
 
 namespace {
 
-/// Outward normal times the weight of a point of the facet [m^(D-1)]: -D |cell| ∇λ_facet of a straight cell.
-template <int D, int Degree>
-std::array<Lanes, D> area_at(const typename Element<D, Degree>::Point& point, const PointGeometry<D, Degree>& geometry,
-                             int facet) {
-  constexpr double measure = D == 2 ? 0.5 : 1.0 / 6;
-  std::array<Lanes, D> result;
-  for (int k = 0; k < D; ++k) {
-    result[k] = -D * measure * point.weight * geometry.determinant * geometry.corner_gradient[facet][k];
-  }
-  return result;
-}
-
 /// -β ρ min(c·n, 0) at a point [kg/s].
 template <int D, int Degree>
 Lanes backflow(const CellInput<D, Degree>& in, const typename Element<D, Degree>::Point& point,

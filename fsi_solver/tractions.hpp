@@ -10,6 +10,18 @@ namespace vocalis::fsi {
 /// that enters is that pressure times the flow, whatever eddies there are.
 double backflow_weight(const FlowBoundary& boundary, double at_outlets);
 
+/// Outward normal times the weight of a point of the facet [m^(D-1)]: -D |cell| ∇λ_facet of a straight cell.
+template <int D, int Degree>
+std::array<Lanes, D> area_at(const typename Element<D, Degree>::Point& point, const PointGeometry<D, Degree>& geometry,
+                             int facet) {
+  constexpr double measure = D == 2 ? 0.5 : 1.0 / 6;
+  std::array<Lanes, D> result;
+  for (int k = 0; k < D; ++k) {
+    result[k] = -D * measure * point.weight * geometry.determinant * geometry.corner_gradient[facet][k];
+  }
+  return result;
+}
+
 /// Adds to the momentum of cells, of which each has a facet with a traction opposite to the same corner,
 /// ∫ p n·w - β ρ min(c·n, 0) v·w.
 ///
