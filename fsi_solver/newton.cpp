@@ -13,7 +13,7 @@ namespace {
 constexpr double patience = 15;
 /// Iterations that a new Jacobian is given before it is judged: the first, from far away, may make things worse.
 constexpr std::size_t trial = 3;
-/// An error at the start of a step from which an old Jacobian leads astray.
+/// An error from which an old Jacobian leads astray: a large rotation of a thin solid, for one.
 constexpr double far_away = 0.15;
 /// Secants kept with one Jacobian: each costs a product of vectors an iteration.
 constexpr int most_secants = 40;
@@ -70,7 +70,7 @@ PetscErrorCode Newton::jacobian(SNES snes, Vec, Mat, Mat, void* context) {
     KSP linear = nullptr;
     base::check(SNESGetKSP(snes, &linear));
     const std::size_t n = self.errors_.size();
-    bool renew = !self.has_jacobian_ || (n == 1 && self.errors_[0] > far_away);
+    bool renew = !self.has_jacobian_ || self.errors_.back() > far_away;
     if (n >= 2) {
       const double rate = self.errors_[n - 1] / self.errors_[n - 2];
       const bool is_slow = std::log(self.errors_[n - 1] / self.tolerance_) > -patience * std::log(rate);
