@@ -8,6 +8,8 @@
 
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
+#include "core/mesh/facets.hpp"
+#include "core/mesh/facets.hpp"
 #include "coupling/figures.hpp"
 
 namespace vocalis::coupling {
@@ -18,7 +20,8 @@ using Header = io::SeriesWriter::Header;
 
 std::vector<std::string> history_columns(const Simulation& simulation) {
   std::vector<std::string> columns = {
-      "step", "time_s", "dt_s", "newton_iterations", "acoustic_iterations", "smallest_quality"};
+      "step", "time_s", "dt_s", "newton_iterations", "jacobians", "acoustic_iterations", "smallest_quality"};
+  if (simulation.clock().tolerance > 0) columns.push_back("local_error");
   if (simulation.monitors()) {
     const auto& more = simulation.monitors()->columns();
     columns.insert(columns.end(), more.begin(), more.end());
@@ -125,8 +128,10 @@ void RunOutput::record(Simulation& simulation, const StepOutcome& outcome) {
                              clock.time,
                              outcome.dt,
                              static_cast<double>(outcome.newton_iterations),
+                             static_cast<double>(outcome.jacobians),
                              static_cast<double>(outcome.acoustic_iterations),
                              outcome.smallest_quality};
+  if (clock.tolerance > 0) row.push_back(outcome.local_error);
   const std::vector<double> monitors = simulation.monitor_values();
   row.insert(row.end(), monitors.begin(), monitors.end());
   history_->write(row);

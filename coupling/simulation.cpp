@@ -7,11 +7,13 @@ namespace vocalis::coupling {
 Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) : scene_(scene), timers_(timers) {
   clock_.end = config.time.end;
   clock_.nominal_step = config.time.step;
+  clock_.largest_step = std::max(config.time.largest_step, config.time.step);
+  clock_.tolerance = config.flow ? config.time.tolerance : 0;
   clock_.smallest_step = config.time.smallest_step > 0 ? config.time.smallest_step : config.time.step / 64;
   if (config.flow) {
     flow_ = std::make_unique<fsi::FsiSolver>(scene.flow->mesh, *config.flow, config.time);
     history_ = std::make_unique<FlowHistory>(scene, *flow_);
-    monitors_ = std::make_unique<Monitors>(scene.flow->mesh, config.monitors);
+    monitors_ = std::make_unique<Monitors>(*flow_, config.monitors);
     if (config.statistics) check_statistics(*config.statistics, monitors_->columns());
   }
   if (config.source) source_.emplace(config.source->pulse);
@@ -24,7 +26,7 @@ StepOutcome Simulation::step() {
   StepOutcome outcome = flow_ ? step_flow() : StepOutcome{.failure = "", .dt = clock_.dt()};
   if (!outcome.failure.empty()) return outcome;
   step_voices(outcome.dt, outcome);
-  if (outcome.failure.empty()) clock_.advance(outcome.dt);
+  if (outcome.failure.empty()) clock_.advance(outcome.dt, outcome.local_error);
   return outcome;
 }
 
@@ -35,8 +37,14 @@ StepOutcome Simulation::step_flow() {
     outcome.dt = clock_.dt();
     const auto report = flow_->try_step(outcome.dt);
     outcome.newton_iterations += report.newton_iterations;
+    outcome.jacobians += report.jacobians;
+    outcome.local_error = report.local_error;
     outcome.smallest_quality = report.smallest_quality;
-    if (report.converged) break;
+    if (report.converged && !clock_.is_too_coarse(report.local_error)) break;
+    if (report.converged) {
+      clock_.refine(report.local_error);
+      continue;
+    }
     if (!clock_.can_shrink()) {
       outcome.failure = "the flow's step did not converge with the smallest dt: " + report.reason;
       return outcome;
@@ -64,7 +72,7 @@ void Simulation::step_voices(double dt, StepOutcome& outcome) {
 
 std::vector<double> Simulation::monitor_values() const {
   if (!monitors_) return {};
-  return monitors_->evaluate({flow_->current_coordinates(), flow_->velocity_at_vertices().values});
+  return monitors_->evaluate();
 }
 
 void Simulation::drop_caches() {

@@ -20,6 +20,8 @@ struct StepOutcome {
   std::string failure;  ///< empty: the step was accepted
   double dt = 0;        ///< [s]
   int newton_iterations = 0;
+  int jacobians = 0;            ///< factorised by the flow
+  double local_error = 0;       ///< of the flow's step, relative; 0: not known
   int acoustic_iterations = 0;  ///< of all acoustic solvers
   double smallest_quality = 1;  ///< of the moved mesh
 };

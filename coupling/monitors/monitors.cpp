@@ -1,108 +1,145 @@
 #include "coupling/monitors/monitors.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <tuple>
+#include <fmt/format.h>
+
+#include <set>
 
 #include "core/base/case_table.hpp"
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
-#include "core/mesh/geometry.hpp"
+#include "coupling/monitors/line_flux.hpp"
+#include "coupling/monitors/on_facets.hpp"
+#include "fsi_solver/continuum.hpp"
 
 namespace vocalis::coupling {
 
 namespace {
 
-double gap(const mesh::Mesh& mesh, const std::vector<mesh::NamedFacet>& facets, const MonitorSettings& settings,
-           std::span<const double> coordinates) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const mesh::NamedFacet& facet : facets) {
-    const auto corners = mesh::facet_vertices(mesh, facet.cell, facet.index);
-    for (int i = 0; i < mesh.dimension; ++i) {
-      const double coordinate = coordinates[corners[i] * mesh.dimension + settings.axis];
-      smallest = std::min(smallest, std::abs(coordinate - settings.plane));
-    }
-  }
-  return base::smallest(mesh.comm, smallest);
+using base::UserError;
+
+std::string words(const Point& point, int dimension) {
+  return dimension == 2 ? fmt::format("[{}, {}]", point[0], point[1])
+                        : fmt::format("[{}, {}, {}]", point[0], point[1], point[2]);
 }
 
-double flux(const mesh::Mesh& mesh, const std::vector<mesh::NamedFacet>& facets, std::span<const double> velocity) {
-  double total = 0;
-  for (const mesh::NamedFacet& facet : facets) {
-    const auto geometry = mesh::facet_geometry(mesh, facet.cell, facet.index);
-    const auto corners = mesh::facet_vertices(mesh, facet.cell, facet.index);
-    for (int i = 0; i < mesh.dimension; ++i) {
-      for (int k = 0; k < mesh.dimension; ++k) {
-        total += geometry.measure / mesh.dimension * velocity[corners[i] * mesh.dimension + k] * geometry.normal[k];
-      }
-    }
+/// Whether each local cell, ghosts too, is fluid.
+std::vector<std::int32_t> mark_fluid(const fsi::Continuum& continuum) {
+  const mesh::Mesh& mesh = *continuum.mesh;
+  std::set<std::int32_t> solids;
+  for (const fsi::SolidMaterial& solid : continuum.solids) {
+    solids.insert(mesh::index_of(mesh.region_names, solid.region));
   }
-  return base::sum(mesh.comm, total);
+  std::vector<std::int32_t> result;
+  for (const std::int32_t region : mesh.cell_region) result.push_back(solids.count(region) == 0);
+  return result;
 }
 
-/// The rank and its owned vertex nearest to a point. Collective.
-std::pair<int, std::int32_t> nearest_vertex(const mesh::Mesh& mesh, const std::array<double, 3>& point) {
-  double nearest = std::numeric_limits<double>::infinity();
-  std::int32_t vertex = -1;
-  for (std::int32_t v = 0; v < mesh.vertices.num_owned; ++v) {
-    double squared = 0;
-    for (int k = 0; k < mesh.dimension; ++k) squared += std::pow(mesh.point(v)[k] - point[k], 2);
-    if (squared < nearest) nearest = squared, vertex = v;
-  }
-  const auto distances = base::gather_all(mesh.comm, nearest);
-  return {static_cast<int>(std::min_element(distances.begin(), distances.end()) - distances.begin()), vertex};
+/// Where the dofs of the velocity's space are now [m].
+std::vector<double> moved_points(const fsi::FsiSolver& flow) {
+  std::vector<double> result = flow.continuum().reference_points;
+  const std::vector<double>& displacement = flow.state().displacement.values;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] += displacement[i];
+  return result;
 }
 
 }  // namespace
 
-Monitors::Monitors(const mesh::Mesh& flow_mesh, const std::vector<MonitorSettings>& settings) : mesh_(&flow_mesh) {
-  const int d = flow_mesh.dimension;
+Monitors::Monitors(const fsi::FsiSolver& flow, const std::vector<MonitorSettings>& settings)
+    : flow_(&flow), cell_is_fluid_(mark_fluid(flow.continuum())) {
   for (const MonitorSettings& monitor : settings) {
-    Bound bound = {monitor, {}, -1, -1};
-    for (const MonitorColumn& column : columns_of(monitor, d)) columns_.push_back(column.name());
-    if (monitor.kind == MonitorKind::displacement) {
-      std::tie(bound.rank, bound.vertex) = nearest_vertex(flow_mesh, monitor.position);
-    } else if (monitor.group.empty()) {
-      throw base::UserError("monitor \"" + monitor.name + "\" is of a kind that is not computed yet", "such a monitor",
-                            "leave it out");
-    } else {
-      bound.facets = mesh::facets_of_group(flow_mesh, monitor.group);
-      if (base::sum(flow_mesh.comm, static_cast<std::int64_t>(bound.facets.size())) == 0) {
-        throw base::UserError("monitor \"" + monitor.name + "\" needs a group of facets on the flow mesh",
-                              "group = \"" + monitor.group + "\"",
-                              base::did_you_mean(monitor.group, flow_mesh.group_names));
-      }
+    for (const MonitorColumn& column : columns_of(monitor, flow.continuum().mesh->dimension)) {
+      columns_.push_back(column.name());
     }
-    monitors_.push_back(std::move(bound));
+    monitors_.push_back(bind(monitor));
+  }
+  std::set<std::string> seen;
+  for (const std::string& column : columns_) {
+    if (seen.insert(column).second) continue;
+    throw UserError("every column of the monitors needs a name of its own", "\"" + column + "\" twice",
+                    "rename one of the monitors, or leave it out");
   }
 }
 
-std::vector<double> Monitors::evaluate(const MonitoredFlow& flow) const {
+Monitors::Bound Monitors::bind(const MonitorSettings& monitor) const {
+  Bound bound;
+  bound.settings = monitor;
+  switch (monitor.kind) {
+    case MonitorKind::gap:
+      find_facets(bound);
+      break;
+    case MonitorKind::flux:
+      if (!monitor.group.empty()) {
+        find_facets(bound);
+      } else if (flow_->continuum().mesh->dimension != 2) {
+        throw UserError("monitor \"" + monitor.name + "\": a line can be crossed in the plane only", "a mesh in space",
+                        "name a group of facets instead");
+      }
+      break;
+    case MonitorKind::displacement:
+      bound.probe = find(monitor, monitor.position, false);
+      break;
+    case MonitorKind::pressure_difference:
+      bound.other = find(monitor, monitor.other, true);
+      [[fallthrough]];
+    case MonitorKind::pressure:
+      bound.probe = find(monitor, monitor.position, true);
+      break;
+    case MonitorKind::force:
+    case MonitorKind::energy:
+      break;
+  }
+  return bound;
+}
+
+void Monitors::find_facets(Bound& bound) const {
+  const mesh::Mesh& mesh = *flow_->continuum().mesh;
+  bound.facets = facets_seen_once(mesh, bound.settings.group);
+  if (base::sum(mesh.comm, static_cast<std::int64_t>(bound.facets.size())) > 0) return;
+  throw UserError("monitor \"" + bound.settings.name + "\" needs a group of facets on the flow mesh",
+                  "group = \"" + bound.settings.group + "\"",
+                  base::did_you_mean(bound.settings.group, mesh.group_names));
+}
+
+Probe Monitors::find(const MonitorSettings& monitor, const Point& position, bool in_fluid) const {
+  const fsi::Continuum& continuum = flow_->continuum();
+  const std::vector<std::int32_t> everywhere(continuum.mesh->num_cells(), 1);
+  const Probe probe =
+      find_probe(flow_->velocity_space(), continuum.reference_points, position, in_fluid ? cell_is_fluid_ : everywhere);
+  if (probe.rank >= 0) return probe;
+  throw UserError(
+      "monitor \"" + monitor.name + "\" needs a point inside " + (in_fluid ? "the fluid" : "the fluid or a solid"),
+      words(position, continuum.mesh->dimension), "choose a point of the mesh before it moves [m]");
+}
+
+std::vector<double> Monitors::evaluate() const {
+  const fsi::State& state = flow_->state();
+  const fem::Space& space = flow_->velocity_space();
+  const std::vector<double> points = moved_points(*flow_);
   std::vector<double> values;
-  const int d = mesh_->dimension;
+  const auto append = [&](const std::vector<double>& more) { values.insert(values.end(), more.begin(), more.end()); };
   for (const Bound& monitor : monitors_) {
-    const double factor = monitor.settings.mirrored ? 2 : 1;
-    switch (monitor.settings.kind) {
+    const MonitorSettings& settings = monitor.settings;
+    const double factor = settings.mirrored ? 2 : 1;
+    switch (settings.kind) {
       case MonitorKind::gap:
-        values.push_back(factor * gap(*mesh_, monitor.facets, monitor.settings, flow.coordinates));
+        values.push_back(factor * gap_to_plane(space, points, monitor.facets, settings.axis, settings.plane));
         break;
       case MonitorKind::flux:
-        values.push_back(factor * flux(*mesh_, monitor.facets, flow.velocity));
-        break;
-      case MonitorKind::force:
-      case MonitorKind::pressure:
-      case MonitorKind::pressure_difference:
-      case MonitorKind::energy:
+        values.push_back(factor * (settings.group.empty()
+                                       ? flux_across(state.velocity, points, settings.from, settings.to, cell_is_fluid_)
+                                       : flux_through(state.velocity, points, monitor.facets)));
         break;
       case MonitorKind::displacement:
-        for (int k = 0; k < d; ++k) {
-          double value = 0;
-          if (base::rank(mesh_->comm) == monitor.rank) {
-            value = flow.coordinates[monitor.vertex * d + k] - mesh_->point(monitor.vertex)[k];
-          }
-          values.push_back(base::sum(mesh_->comm, value));
-        }
+        append(value_at(state.displacement, monitor.probe));
+        break;
+      case MonitorKind::pressure:
+        append(value_at(state.pressure, monitor.probe));
+        break;
+      case MonitorKind::pressure_difference:
+        values.push_back(value_at(state.pressure, monitor.probe)[0] - value_at(state.pressure, monitor.other)[0]);
+        break;
+      case MonitorKind::force:
+      case MonitorKind::energy:
         break;
     }
   }

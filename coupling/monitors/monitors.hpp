@@ -1,41 +1,38 @@
 #pragma once
 
-#include <array>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "core/mesh/facets.hpp"
-#include "core/mesh/mesh.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
+#include "coupling/monitors/probe.hpp"
+#include "fsi_solver/fsi_solver.hpp"
 
 namespace vocalis::coupling {
 
-/// The state of the flow that monitors read; vertices of the flow mesh, ghosts current.
-struct MonitoredFlow {
-  std::span<const double> coordinates;  ///< (vertices, d) [m], moved
-  std::span<const double> velocity;     ///< (vertices, d) [m/s]
-};
-
-/// Monitors bound to their mesh.
+/// Monitors bound to the flow that they watch.
 class Monitors {
  public:
-  /// The mesh must outlive the monitors. Throws UserError for a group that the flow mesh does not have. Collective.
-  Monitors(const mesh::Mesh& flow_mesh, const std::vector<MonitorSettings>& settings);
+  /// The solver must outlive the monitors. Throws UserError for a group that the flow mesh does not have, a point
+  /// outside it, a line in space, and columns of the same name. Collective.
+  Monitors(const fsi::FsiSolver& flow, const std::vector<MonitorSettings>& settings);
 
   /// Column names with units, "gap_m", "flow_m2_s", "tip_x_m".
   const std::vector<std::string>& columns() const { return columns_; }
-  /// One value a column, the same on every rank. Collective.
-  std::vector<double> evaluate(const MonitoredFlow& flow) const;
+  /// One value a column from the flow's accepted state, the same on every rank. Collective.
+  std::vector<double> evaluate() const;
 
  private:
   struct Bound {
     MonitorSettings settings;
-    std::vector<mesh::NamedFacet> facets;
-    int rank = -1;  ///< that has the nearest vertex
-    std::int32_t vertex = -1;
+    std::vector<mesh::NamedFacet> facets;  ///< of gap and flux
+    Probe probe, other;                    ///< of displacement and pressures
   };
-  const mesh::Mesh* mesh_;
+  Bound bind(const MonitorSettings& monitor) const;
+  void find_facets(Bound& bound) const;
+  Probe find(const MonitorSettings& monitor, const Point& position, bool in_fluid) const;
+
+  const fsi::FsiSolver* flow_;
+  std::vector<std::int32_t> cell_is_fluid_;  ///< of local cells, ghosts too
   std::vector<Bound> monitors_;
   std::vector<std::string> columns_;
 };

@@ -8,7 +8,7 @@ import sys
 from program import HERE, main, read_series, read_summary
 
 TOLERANCE = 1e-8  # above what iterative solvers leave (1e-10 to 1e-13 in these cases), below any other fault
-ABOUT_EFFORT = ("newton_iterations", "acoustic_iterations")  # these may differ
+ABOUT_EFFORT = ("newton_iterations", "jacobians", "acoustic_iterations")  # these may differ
 CASES = ("larynx", "channel", "tube")
 
 

@@ -1,23 +1,78 @@
 #include "coupling/monitors/monitors.hpp"
 
+#include <functional>
+
 #include "core/base/error.hpp"
-#include "core/mesh/generate.hpp"
+#include "fsi_solver/continuum.hpp"
 #include "tests/all_ranks.hpp"
+#include "tests/coupling/small_scene.hpp"
 
 using namespace vocalis;
 using namespace vocalis::coupling;
+using Catch::Matchers::Contains;
 
 namespace {
 
-mesh::Mesh box(int dimension) {
-  const mesh::WholeMesh whole = dimension == 2 ? mesh::box(MPI_COMM_WORLD, {2, 1, 0}, {4, 3, 0})
-                                               : mesh::box(MPI_COMM_WORLD, {2, 1, 0.5}, {4, 3, 2});
-  return mesh::distribute(MPI_COMM_WORLD, whole);
+using Vector = std::function<Point(const Point&)>;
+
+/// A box [0, 2] x [0, 1] (x [0, 0.5]), solid in x > 1, with a flow that is set and never solved.
+class Watched {
+ public:
+  Watched(int dimension, fsi::Elements elements)
+      : scene_(
+            test::box_scene({2, 1, dimension == 2 ? 0 : 0.5}, {4, 3, 2},
+                            [](const Point& centre) { return centre[0] < 1 ? RegionKind::fluid : RegionKind::solid; })),
+        flow_(scene_->flow->mesh, settings(elements), time()) {}
+
+  /// Displacement and velocity as functions of the reference point.
+  void set(const Vector& displacement, const Vector& velocity) {
+    fsi::State state = flow_.state();
+    const std::vector<double>& points = flow_.continuum().reference_points;
+    const int d = scene_->parent.dimension;
+    for (std::int32_t dof = 0; dof < flow_.velocity_space().num_dofs(); ++dof) {
+      Point point = {0, 0, 0};
+      for (int k = 0; k < d; ++k) point[k] = points[static_cast<std::size_t>(dof) * d + k];
+      for (int k = 0; k < d; ++k) {
+        state.displacement.at(dof)[k] = displacement(point)[k];
+        state.velocity.at(dof)[k] = velocity(point)[k];
+      }
+    }
+    for (std::int32_t dof = 0; dof < flow_.pressure_space().num_dofs(); ++dof) {
+      const double* x = scene_->flow->mesh.point(flow_.pressure_space().dof_vertex[dof]);
+      state.pressure.at(dof)[0] = 3 + 2 * x[0] - x[1];
+    }
+    flow_.set_state(state);
+  }
+  const fsi::FsiSolver& flow() const { return flow_; }
+  std::vector<double> values(const std::vector<MonitorSettings>& monitors) const {
+    return Monitors(flow_, monitors).evaluate();
+  }
+
+ private:
+  static fsi::FlowSettings settings(fsi::Elements elements) {
+    fsi::FlowSettings result;
+    result.elements = elements;
+    result.solids = {{.region = "solid", .young_modulus = 1e5}};
+    return result;
+  }
+  static fsi::TimeSettings time() {
+    fsi::TimeSettings result;
+    result.end = result.step = 1;
+    return result;
+  }
+  std::unique_ptr<Scene> scene_;
+  fsi::FsiSolver flow_;
+};
+
+MonitorSettings monitor_of(MonitorKind kind, const std::string& name) {
+  MonitorSettings settings;
+  settings.kind = kind;
+  settings.name = name;
+  return settings;
 }
 
-MonitorSettings gap_of(const std::string& group, int axis, double plane, bool mirrored) {
-  MonitorSettings settings;
-  settings.name = "gap";
+MonitorSettings gap_of(const std::string& group, int axis, double plane, bool mirrored = false) {
+  MonitorSettings settings = monitor_of(MonitorKind::gap, "gap_" + group + (mirrored ? "_twice" : ""));
   settings.group = group;
   settings.axis = axis;
   settings.plane = plane;
@@ -25,71 +80,143 @@ MonitorSettings gap_of(const std::string& group, int axis, double plane, bool mi
   return settings;
 }
 
-MonitorSettings flux_of(const std::string& group, bool mirrored) {
-  MonitorSettings settings;
-  settings.name = "flow";
-  settings.kind = MonitorKind::flux;
+MonitorSettings flux_of(const std::string& group, bool mirrored = false) {
+  MonitorSettings settings = monitor_of(MonitorKind::flux, "flow_" + group);
   settings.group = group;
   settings.mirrored = mirrored;
   return settings;
 }
 
-MonitorSettings displacement_of(const std::array<double, 3>& position) {
-  MonitorSettings settings;
-  settings.name = "tip";
-  settings.kind = MonitorKind::displacement;
+MonitorSettings at(MonitorKind kind, const Point& position, const Point& other = {0, 0, 0}) {
+  MonitorSettings settings = monitor_of(kind, "point");
   settings.position = position;
+  settings.other = other;
   return settings;
 }
+
+const Vector rest = [](const Point&) { return Point{0, 0, 0}; };
+constexpr fsi::Elements both_elements[] = {fsi::Elements::p1p1, fsi::Elements::p2p1};
 
 }  // namespace
 
 TEST_CASE("columns are named after monitors, with units") {
-  const std::vector<MonitorSettings> settings = {gap_of("top", 1, 0, false), flux_of("right", false),
-                                                 displacement_of({0, 0, 0})};
-  const mesh::Mesh plane = box(2), solid = box(3);
-  CHECK(Monitors(plane, settings).columns() == std::vector<std::string>{"gap_m", "flow_m2_s", "tip_x_m", "tip_y_m"});
-  CHECK(Monitors(solid, settings).columns() ==
-        std::vector<std::string>{"gap_m", "flow_m3_s", "tip_x_m", "tip_y_m", "tip_z_m"});
+  const std::vector<MonitorSettings> settings = {gap_of("top", 1, 0), flux_of("right"),
+                                                 at(MonitorKind::displacement, {0.1, 0.1, 0.1})};
+  CHECK(Monitors(Watched(2, fsi::Elements::p1p1).flow(), settings).columns() ==
+        std::vector<std::string>{"gap_top_m", "flow_right_m2_s", "point_x_m", "point_y_m"});
+  CHECK(Monitors(Watched(3, fsi::Elements::p1p1).flow(), settings).columns() ==
+        std::vector<std::string>{"gap_top_m", "flow_right_m3_s", "point_x_m", "point_y_m", "point_z_m"});
 }
 
-TEST_CASE("gap, flux and displacement are the same numbers on every rank") {
+TEST_CASE("gap and flux are taken where the mesh is now, the same on every rank") {
   for (const int d : {2, 3}) {
-    const mesh::Mesh mesh = box(d);
-    const Monitors monitors(mesh, {gap_of("top", 1, 0.25, false), gap_of("top", 1, 0.25, true), flux_of("right", false),
-                                   flux_of("left", true), displacement_of({1.9, 0.9, 0.6})});
-    // Coordinates pressed together: x -> x, y -> 0.9 y - 0.05 x; velocity (1 + y, -3, 2).
-    std::vector<double> coordinates = mesh.coordinates, velocity;
-    for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
-      double* point = coordinates.data() + static_cast<std::size_t>(v) * d;
-      point[1] = 0.9 * point[1] - 0.05 * point[0];
-      const double components[] = {1 + mesh.point(v)[1], -3, 2};
-      velocity.insert(velocity.end(), components, components + d);
+    for (const fsi::Elements elements : both_elements) {
+      Watched watched(d, elements);
+      // x -> x, y -> 0.9 y - 0.05 x; velocity (1 + Y, -3, 2)
+      watched.set(
+          [](const Point& x) {
+            return Point{0, -0.1 * x[1] - 0.05 * x[0], 0};
+          },
+          [](const Point& x) {
+            return Point{1 + x[1], -3, 2};
+          });
+      const std::vector<double> values = watched.values({gap_of("top", 1, 0.25), gap_of("top", 1, 0.25, true),
+                                                         flux_of("right"), flux_of("left", true), flux_of("bottom")});
+      REQUIRE_ON_ALL_RANKS(values.size() == 5);
+      const double depth = d == 2 ? 1 : 0.5;
+      CHECK(values[0] == Approx(0.9 - 0.1 - 0.25));  // where x = 2
+      CHECK(values[1] == Approx(2 * values[0]));
+      CHECK(values[2] == Approx(0.9 * 1.5 * depth));       // ∫ (1 + Y) 0.9 dY, out of the box
+      CHECK(values[3] == Approx(-2 * 0.9 * 1.5 * depth));  // into the box on the left, and twice
+      CHECK(values[4] == Approx((6 - 0.05 * 2) * depth));  // n ds = (-0.05, -1) dx, velocity (1, -3)
     }
-    const std::vector<double> values = monitors.evaluate({coordinates, velocity});
-    REQUIRE_ON_ALL_RANKS(values.size() == static_cast<std::size_t>(4 + d));
-    const double depth = d == 2 ? 1 : 0.5;
-    CHECK(values[0] == Approx(0.9 - 0.1 - 0.25));  // where x = 2
-    CHECK(values[1] == Approx(2 * values[0]));
-    CHECK(values[2] == Approx(1.5 * depth));   // ∫ (1 + y) dy, out of the box
-    CHECK(values[3] == Approx(-3.0 * depth));  // into the box on the left, and twice
-    CHECK(values[4] == Approx(0).margin(1e-14));
-    CHECK(values[5] == Approx(-0.2));  // of the corner (2, 1), the vertex nearest to the point
-    if (d == 3) CHECK(values[6] == Approx(0).margin(1e-14));
+  }
+}
+
+TEST_CASE("the flux out of a bent box of degree 2 is what its divergence says") {
+  for (const int d : {2, 3}) {
+    Watched watched(d, fsi::Elements::p2p1);
+    // The volume stays, for the determinant is 1; the velocity is the present position, its divergence d.
+    const auto bend = [](const Point& x) { return Point{0, 0.1 * x[0] * x[0], 0}; };
+    watched.set(bend, [&](const Point& x) { return Point{x[0], x[1] + bend(x)[1], x[2]}; });
+    std::vector<MonitorSettings> sides = {flux_of("left"), flux_of("right"), flux_of("bottom"), flux_of("top")};
+    if (d == 3) sides.insert(sides.end(), {flux_of("front"), flux_of("back")});
+    double total = 0;
+    for (const double value : watched.values(sides)) total += value;
+    CHECK(total == Approx(d == 2 ? 4 : 3).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("the displacement of a point is that of its cell's polynomial") {
+  for (const int d : {2, 3}) {
+    for (const fsi::Elements elements : both_elements) {
+      Watched watched(d, elements);
+      const bool quadratic = elements == fsi::Elements::p2p1;
+      const Vector displacement = [&](const Point& x) {
+        return Point{0.1 * x[1], quadratic ? 0.05 * x[0] * x[1] - 0.1 * x[2] * x[2] : 0.2 * x[0], 0.1 * x[0]};
+      };
+      watched.set(displacement, rest);
+      // In a cell, on the interface, in a corner
+      for (const Point& point : {Point{0.37, 0.41, 0.13}, Point{1, 0.5, 0.2}, Point{2, 1, 0.5}}) {
+        Point here = point;
+        if (d == 2) here[2] = 0;
+        const std::vector<double> values = watched.values({at(MonitorKind::displacement, here)});
+        REQUIRE_ON_ALL_RANKS(values.size() == static_cast<std::size_t>(d));
+        for (int k = 0; k < d; ++k) CHECK(values[k] == Approx(displacement(here)[k]).margin(1e-12));
+      }
+    }
+  }
+}
+
+TEST_CASE("pressures are the fluid's, at points that move with the mesh") {
+  for (const fsi::Elements elements : both_elements) {
+    Watched watched(2, elements);
+    watched.set([](const Point& x) { return Point{0.3 * x[0], 0.1 * x[1], 0}; }, rest);
+    MonitorSettings fall = at(MonitorKind::pressure_difference, {0.9, 0.2, 0}, {0.1, 0.7, 0});
+    fall.name = "fall";
+    const std::vector<double> values = watched.values({at(MonitorKind::pressure, {1, 0.5, 0}), fall});
+    REQUIRE_ON_ALL_RANKS(values.size() == 2);
+    CHECK(values[0] == Approx(3 + 2 - 0.5));
+    CHECK(values[1] == Approx(2 * 0.8 + 0.5));
+  }
+}
+
+TEST_CASE("a flux across a line ends where the solid begins") {
+  for (const fsi::Elements elements : both_elements) {
+    Watched watched(2, elements);
+    watched.set(rest, [](const Point& x) { return Point{0, 1 + x[0], 0}; });
+    MonitorSettings line = monitor_of(MonitorKind::flux, "across");
+    line.from = {1.5, 0.4, 0};
+    line.to = {-0.5, 0.4, 0};
+    CHECK(watched.values({line})[0] == Approx(1.5));  // upwards is to the right of the way to smaller x
   }
 }
 
 TEST_CASE("the gap is a distance, on either side of the plane") {
-  const mesh::Mesh mesh = box(2);
-  const Monitors monitors(mesh, {gap_of("bottom", 1, 0.3, false), gap_of("left", 0, -0.1, false)});
-  const std::vector<double> velocity(mesh.coordinates.size(), 0.0);
-  const std::vector<double> values = monitors.evaluate({mesh.coordinates, velocity});
+  Watched watched(2, fsi::Elements::p1p1);
+  const std::vector<double> values = watched.values({gap_of("bottom", 1, 0.3), gap_of("left", 0, -0.1)});
   CHECK(values[0] == Approx(0.3));
   CHECK(values[1] == Approx(0.1));
 }
 
-TEST_CASE("a group that the flow's mesh lacks is refused") {
-  const mesh::Mesh mesh = box(2);
-  CHECK_THROWS_AS(Monitors(mesh, {flux_of("rigth", false)}), base::UserError);
-  CHECK_THROWS_AS(Monitors(mesh, {gap_of("front", 1, 0, false)}), base::UserError);
+TEST_CASE("what the flow's mesh lacks is refused") {
+  const Watched watched(2, fsi::Elements::p1p1), in_space(3, fsi::Elements::p1p1);
+  const auto message = [](const Watched& of, const std::vector<MonitorSettings>& monitors) {
+    try {
+      Monitors(of.flow(), monitors);
+    } catch (const base::UserError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  CHECK_THAT(message(watched, {flux_of("rigth")}), Contains("did you mean \"right\""));
+  CHECK_THAT(message(watched, {gap_of("front", 1, 0)}), Contains("group of facets on the flow mesh"));
+  CHECK_THAT(message(watched, {at(MonitorKind::displacement, {2.3, 0.5, 0})}), Contains("inside the fluid or a solid"));
+  CHECK_THAT(message(watched, {at(MonitorKind::pressure, {1.5, 0.5, 0})}), Contains("inside the fluid"));
+  CHECK_THAT(message(watched, {at(MonitorKind::pressure_difference, {0.5, 0.5, 0}, {1.5, 0.5, 0})}),
+             Contains("[1.5, 0.5]"));
+  CHECK_THAT(message(in_space, {monitor_of(MonitorKind::flux, "line")}), Contains("in the plane only"));
+  MonitorSettings twin = gap_of("top", 1, 0);
+  twin.name = "point_x";
+  CHECK_THAT(message(watched, {twin, at(MonitorKind::displacement, {0.5, 0.5, 0})}), Contains("\"point_x_m\" twice"));
 }
