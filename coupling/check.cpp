@@ -36,8 +36,7 @@ int check(MPI_Comm comm, const Command& command) {
            scene->parent.cells.num_global, scene->parent.vertices.num_global, scene->parent.dimension,
            mesh::smallest_quality(scene->parent));
   if (simulation.flow()) {
-    const double unknowns = static_cast<double>(scene->parent.dimension * scene->flow->mesh.vertices.num_global +
-                                                simulation.flow()->pressure_space().dofs.num_global);
+    const double unknowns = static_cast<double>(simulation.flow()->num_unknowns());
     log.info("#   flow: {} cells, {:.0f} unknowns, {:.0f} steps of {:.3g} s", scene->flow->mesh.cells.num_global,
              unknowns, steps, config.time.step);
     seconds += steps * unknowns * flow_seconds_per_unknown;

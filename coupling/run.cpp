@@ -38,8 +38,7 @@ RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
   facts.cells["parent"] = scene.parent.cells.num_global;
   if (scene.flow) {
     facts.cells["flow"] = scene.flow->mesh.cells.num_global;
-    facts.unknowns["flow"] = scene.parent.dimension * scene.flow->mesh.vertices.num_global +
-                             simulation.flow()->pressure_space().dofs.num_global;
+    facts.unknowns["flow"] = simulation.flow()->num_unknowns();
   }
   if (scene.acoustic) {
     facts.cells["acoustic"] = scene.acoustic->mesh.cells.num_global;

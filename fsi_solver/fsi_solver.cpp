@@ -125,6 +125,11 @@ const fem::Space& FsiSolver::velocity_space() const { return inside_->continuum.
 const fem::Space& FsiSolver::pressure_space() const { return inside_->continuum.pressure_space; }
 const base::Timers& FsiSolver::timers() const { return inside_->timers; }
 
+std::int64_t FsiSolver::num_unknowns() const {
+  const Continuum& continuum = inside_->continuum;
+  return continuum.mesh->dimension * continuum.velocity_space.dofs.num_global + continuum.pressure_space.dofs.num_global;
+}
+
 std::vector<double> FsiSolver::current_coordinates() const {
   return moved_coordinates(inside_->continuum, inside_->state.displacement);
 }

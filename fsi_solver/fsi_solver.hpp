@@ -60,6 +60,9 @@ class FsiSolver {
   /// P1, one label in the fluid (0) and one in each incompressible solid i (1 + i).
   const fem::Space& pressure_space() const;
 
+  /// Velocities and pressures of a step, over all ranks.
+  std::int64_t num_unknowns() const;
+
   /// Where the vertices are, (vertices, dimension) [m]; ghosts current.
   std::vector<double> current_coordinates() const;
   /// Parts of the state at the vertices, on a space of degree 1 whose dofs they are; ghosts current.
