@@ -59,12 +59,15 @@ def carry_out(study, options, program):
     folder = Folder(options.out / study.name)
     say(f"{study.name}: {len(points)} points of {study.case.name}, into {folder.path}")
 
+    warned = []
+
     def tell(i, point, outcome):
         state = outcome.reason if outcome.status == "failed" else f"{outcome.core_seconds:.4g} core-seconds"
         say(f"  {i + 1:>3}/{len(points)}  {point.label}: {outcome.status}, {state}")
         mistake = missing_results(study, [outcome])
-        if mistake:  # perhaps other points give it: the study goes on
+        if mistake and not warned:  # perhaps other points give it: the study goes on
             say(f"vocalis: {mistake}")
+            warned.append(mistake)
 
     with folder:
         try:
@@ -119,7 +122,8 @@ def stop(*_):
 
 
 def main(arguments):
-    signal.signal(signal.SIGTERM, stop)
+    for number in (signal.SIGINT, signal.SIGTERM):  # SIGINT, too: shells have it ignored in the background
+        signal.signal(number, stop)
     try:
         run(arguments)
     except UserError as mistake:

@@ -32,13 +32,22 @@ class Marks:
         sizes.sort(key=lambda axis: not axis.order)
         self._along = sizes[0] if sizes else None
         self._ways = list(zip(spoken + sizes[1:], self._shown_by(len(spoken), len(sizes))))
-        self.of = [self._mark(point) for point in points]
+        self._apart = self._beside_the_axes(points)
+        self.of = [self._apart.get(point.label) or self._mark(point) for point in points]
         self.lines = self._lines(points)
 
     @staticmethod
     def _shown_by(spoken, sizes):
         ways = ["colour and marker"] if spoken == 1 else ["colour", "marker", "fill"][:spoken]
         return ways + (["size"] if spoken or sizes < 3 else ["size", "colour and marker"])
+
+    def _beside_the_axes(self, points):
+        """Points that change what no axis does: label -> Mark of its own."""
+        on_axes = {key for axis in self._study.axes for key in axis.keys}
+        beside = [key for key in self._study.varied_keys() if key not in on_axes]
+        labels = [point.label for point in points if any(key in point.settings for key in beside)]
+        return {label: Mark(style.COLOURS[-1 - i % len(style.COLOURS)], MARKERS[-1 - i % len(MARKERS)], size=7.5)
+                for i, label in enumerate(labels)}
 
     def _mark(self, point):
         mark = Mark(style.COLOURS[0])
@@ -85,7 +94,7 @@ class Marks:
                 mark = Mark("#555555" if "colour" not in way else style.COLOURS[0])
                 self._apply(mark, way, i, len(axis.values))
                 entries.append((value_words(self._study, axis, value), mark))
-        return entries
+        return entries + list(self._apart.items())
 
     def line_words(self):
         return f"joined: {axis_name(self._study, self._along)}" if self._along else ""

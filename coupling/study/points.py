@@ -70,7 +70,7 @@ def _label(study, chosen):
         if all(key in chosen for key in axis.keys):
             parts.append(value_words(study, axis, tuple(chosen[key] for key in axis.keys)))
     on_axes = {key for axis in study.axes for key in axis.keys}
-    parts += [f"{short_name(study, key)} {words(value)}" for key, value in chosen.items() if key not in on_axes]
+    parts += [key_words(study, key, value) for key, value in chosen.items() if key not in on_axes]
     return ", ".join(parts) or "as it is"
 
 
@@ -80,12 +80,13 @@ def axis_name(study, axis):
 
 def value_words(study, axis, value):
     """A value of an axis with its name, unless it speaks for itself: "P2P1", "size 0.02", "size 0.02 dt 0.01"."""
-    if len(value) == 1:
-        speaks = isinstance(value[0], str) and not axis.label
-        return value[0] if speaks else f"{axis_name(study, axis)} {words(value[0])}"
     if axis.label:
         return f"{axis.label} {' / '.join(words(part) for part in value)}"
-    return " ".join(f"{short_name(study, key)} {words(part)}" for key, part in zip(axis.keys, value))
+    return " ".join(key_words(study, key, part) for key, part in zip(axis.keys, value))
+
+
+def key_words(study, key, value):
+    return value if isinstance(value, str) else f"{short_name(study, key)} {words(value)}"
 
 
 def short_name(study, key):

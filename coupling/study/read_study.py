@@ -4,7 +4,8 @@ import pathlib
 import re
 import tomllib
 
-from check_study import check_study
+from check_study import check_names, check_study
+from expectations import with_expectations
 from mistakes import UserError, did_you_mean
 from strict_table import StrictTable, flat
 from study import VARIATIONS, Axis, Reference, Study
@@ -28,13 +29,19 @@ def read_study(path):
     settings["ranks"] = _ranks(head.take("ranks", int, settings.get("ranks", 1)), head.place)
     study = Study(path, name, head.take("description", str, ""), _case(path, head), settings,
                   head.take("vary", str, "grid"), [], [], [], {}, _settings(head, "reference_point"))
+    of_the_case = head.take("expected", bool, True)
     head.end()
     if study.vary not in VARIATIONS:
         raise UserError(f"{path}, [study]: vary must be known", repr(study.vary), did_you_mean(study.vary, VARIATIONS))
     study.axes = [_axis(StrictTable(table, f"{path}, [[axis]] {i}"), study.vary) for i, table in _tables(root, "axis")]
     study.chosen_points = [_point(StrictTable(table, f"{path}, [[point]] {i}")) for i, table in _tables(root, "point")]
+    for axis in study.axes:
+        axis.values = axis.values or _values_of_points(axis, study.chosen_points)
     study.references = [_reference(StrictTable(table, f"{path}, [[reference]] {i}"))
                         for i, table in _tables(root, "reference")]
+    check_names(study)
+    if of_the_case:
+        study.references = with_expectations(study.case, study.references)
     study.default = flat(root.take("default", dict, {}))
     root.end()
     check_study(study)
@@ -103,6 +110,12 @@ def _point(table):
     return label, settings
 
 
+def _values_of_points(axis, chosen_points):
+    """Of an axis without values, where only [[point]] tables are computed."""
+    values = (tuple(settings.get(key) for key in axis.keys) for _, settings in chosen_points)
+    return list(dict.fromkeys(value for value in values if None not in value))
+
+
 def _reference(table):
     relative_to = table.take_any("relative_to")
     if relative_to is not None and not isinstance(relative_to, (int, float, str)) or relative_to == 0:
@@ -112,7 +125,4 @@ def _reference(table):
                           table.take("uncertainty", float), table.take("tolerance", float), relative_to,
                           table.take("group", str, ""), table.take("source", str, ""), table.take("note", str, ""))
     table.end()
-    if reference.value == 0 and relative_to is None:
-        raise UserError(f"{table.place}: an error relative to 0 has no meaning", f"{reference.result} = 0",
-                        "give relative_to, a scale in the result's unit")
     return reference

@@ -63,6 +63,6 @@ def missing_results(study, outcomes):
     given = sorted({name for outcome in outcomes for name in outcome.results})
     for reference in study.references if any(outcome.finished for outcome in outcomes) else ():
         if reference.result not in given:
-            return UserError(f"{study.path}: a [[reference]] must name a result that the runs give",
+            return UserError(f"{study.path}: a reference must be of a result that the runs give",
                              f'"{reference.result}"', did_you_mean(reference.result, given))
     return None

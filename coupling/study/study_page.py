@@ -60,16 +60,16 @@ def _cost_and_error(evaluation, i):
 def _costs(evaluation):
     rows = []
     for i, (point, outcome) in enumerate(zip(evaluation.points, evaluation.outcomes)):
-        label = page.escape(point.label) + (" <b>(shipped)</b>" if point.default else "")
-        label += " (reference)" if evaluation.of_reference(i) else ""
+        marks = {"shipped": point.default, "front": i in evaluation.front, "reference": evaluation.of_reference(i)}
+        marks = ", ".join(f"<b>{mark}</b>" for mark, set_here in marks.items() if set_here)
+        label = page.escape(point.label) + (f" ({marks})" if marks else "")
         state = outcome.status if outcome.status != "failed" else f"failed: {page.escape(outcome.reason)}"
         unknowns = ", ".join(f"{count:,}".replace(",", "&#8239;") for count in outcome.unknowns.values())
         rows.append([label, (state, "bad" if outcome.status == "failed" else ""), figures.cost(outcome.wall_seconds),
                      figures.cost(outcome.core_seconds), outcome.ranks, figures.cost(outcome.memory_bytes / 2**20),
-                     unknowns, outcome.steps or "", figures.percent(evaluation.largest[i], digits=3),
-                     "front" if i in evaluation.front else ""])
-    return page.table(rows, ["point", "state", "wall [s]", "core-seconds", "ranks", "memory [MiB]", "unknowns", "steps",
-                             "largest error [%]", ""], {2, 3, 4, 5, 6, 7, 8})
+                     unknowns, outcome.steps or "", figures.percent(evaluation.largest[i], digits=3)])
+    return page.table(rows, ["point", "state", "wall [s]", "core-seconds", "ranks", "MiB", "unknowns", "steps",
+                             "largest error [%]"], {2, 3, 4, 5, 6, 7, 8})
 
 
 def _values(evaluation, names):

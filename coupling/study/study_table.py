@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import figures
 from case_values import same
 from convergence import Convergence
-from points import short_name, value_words, words
+from points import key_words, value_words
 
 LEVELS = 3  # the finest so many are shown
 
@@ -74,8 +74,7 @@ def _held(evaluation, view):
         if not set(axis.keys) & set(own) and all(key in values for key in axis.keys):
             parts.append(value_words(evaluation.study, axis, tuple(values[key] for key in axis.keys)))
     on_axes = {key for axis in evaluation.study.axes for key in axis.keys}
-    parts += [f"{short_name(evaluation.study, key)} {words(value)}"
-              for key, value in values.items() if key not in on_axes]
+    parts += [key_words(evaluation.study, key, value) for key, value in values.items() if key not in on_axes]
     return f"All with {', '.join(parts)}:" if parts and view.line else f"{', '.join(parts)}:" if parts else ""
 
 

@@ -177,6 +177,37 @@ class StudyTest(unittest.TestCase):
         value = 100 * (1 + 2 * 0.2**3 + 0.001)
         self.assertAlmostEqual(float(rows["P2P1, size 0.2"]["error_percent"]), 100 * (value / best - 1), places=5)
 
+    def test_what_the_case_expects_is_a_reference_unless_the_study_says_otherwise(self):
+        case = CASE + """[expected.drag_mean_N]
+value = 50.0
+spread = 5.0
+tolerance = 1
+source = "the case"
+[expected.lift_mean_N]
+value = 0.0
+[expected.drag_frequency_Hz]
+value = 4.0
+"""
+        head = STUDY.split("[[reference]]")[0]
+        scaled = '[[reference]]\nresult = "lift_mean_N"\nrelative_to = "drag_mean_N"\nnote = "small"\n'
+        self.refuse(head, "relative to 0", "lift_mean_N", case=case)
+        self.write(head + scaled, case)
+        self.start("--table", "table.md")
+        rows = {row["result"]: row for row in self.rows() if row["point"] == "P2P1, size 0.2"}
+        value = 100 * (1 + 2 * 0.2**3 + 0.001)
+        self.assertAlmostEqual(float(rows["drag_mean_N"]["error_percent"]), 2 * (value - 50), places=5)
+        self.assertAlmostEqual(float(rows["lift_mean_N"]["error_percent"]), 0.02 * (value - 100), places=5)
+        self.assertAlmostEqual(float(rows["drag_frequency_Hz"]["error_percent"]), 25)
+        self.assertEqual((rows["drag_mean_N"]["reference_uncertainty"], rows["drag_mean_N"]["tolerance"]), ("5", "1"))
+        table = (self.folder / "table.md").read_text(encoding="utf-8")
+        for words in ("Reference of drag mean: the case.", "- lift mean: small"):
+            self.assertIn(words, table)
+        own = scaled.replace("lift_mean_N", "drag_mean_N", 1).replace("relative_to", "value = 100\nrelative_to")
+        self.write(head.replace("[study]", "[study]\nexpected = false") + own, case)
+        self.start()
+        self.assertEqual({row["result"] for row in self.rows() if row["reference"]}, {"drag_mean_N"})
+        self.assertEqual(self.rows()[0]["tolerance"], "")
+
     # Going on, and what fails.
 
     def test_a_point_is_computed_once(self):
@@ -193,7 +224,7 @@ class StudyTest(unittest.TestCase):
         self.write(STUDY, CASE + "seconds = 0.01\n")
         self.start()
         self.assertEqual(len(self.starts()), 12)
-        self.write(STUDY, CASE + "seconds = 0.01\n[expected.drag_N]\nvalue = 1\n")  # changes no result
+        self.write(STUDY, CASE + "seconds = 0.01\n[expected.drag_frequency_Hz]\nvalue = 1\n")  # changes no result
         self.start()
         self.assertEqual(len(self.starts()), 12)
         note = self.folder / "out/made_up/points/P1P1_size_0.1/measured.json"
@@ -289,7 +320,7 @@ class StudyTest(unittest.TestCase):
 
     def test_a_result_that_no_run_gave_is_told_with_the_nearest_name(self):
         self.refuse(STUDY.replace('result = "lift_mean_N"', 'result = "lift_maen_N"'), 'did you mean "lift_mean_N"?')
-        self.assertTrue((self.folder / "out/made_up/study.csv").exists())  # what was computed is not lost
+        self.assertEqual(len(self.rows()), 18)  # what was computed is not lost
 
     def test_a_wrong_command_is_told(self):
         for options in (["--job", "0"], ["--jobs", "0"], ["--ranks", "2"], ["--again", "--anew"]):
@@ -333,6 +364,9 @@ class StudyTest(unittest.TestCase):
         only = labels("points", chosen)
         self.assertEqual([point.values for point in only.values()],
                          [{"flow.elements": "P1P1", "mesh.size": 0.4, "time.dt": 0.2}])
+        bare = re.sub("values = .*", "", STUDY).replace('case = "case.toml"', 'case = "case.toml"\nvary = "points"')
+        self.write(bare + chosen)
+        self.assertEqual(read_study.read_study(self.folder / "study.toml").axes[1].values, [(0.4,)])
 
     def test_keys_that_change_together_are_one_axis(self):
         self.write(STUDY.replace('key = "mesh.size"', 'key = ["mesh.size", "time.dt"]')
@@ -358,6 +392,7 @@ class StudyTest(unittest.TestCase):
 [study]
 name = "tube"
 case = "{ROOT / 'cases/duct/tube.toml'}"
+expected = false
 set = {{ time.end = 2e-3, mesh.parameters.quarters = 1 }}
 [[axis]]
 key = "mesh.parameters.size_factor"
