@@ -67,6 +67,8 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     const fsi::State& state = simulation.flow()->state();
     add("flow.times", on_rank_0(comm, {state.time, state.last_dt, state.largest_speeds[0], state.largest_speeds[1]}));
     for_each_flow_array(state, add);
+    const EnergyBalance& balance = simulation.monitors()->balance();
+    add("monitors.balance", on_rank_0(comm, {balance.time, balance.power, balance.work}));
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const acoustic::State& state = simulation.voices()[i]->solver().state();
@@ -125,6 +127,8 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     state.largest_speeds = {flow_times[2], flow_times[3]};
     for_each_flow_array(state, read);
     simulation.flow()->set_state(state);
+    const std::vector<double> balance = numbers("monitors.balance");
+    simulation.monitors()->set_balance({balance[0], balance[1], balance[2]});
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     acoustic::State state = simulation.voices()[i]->solver().state();

@@ -52,6 +52,7 @@ StepOutcome Simulation::step_flow() {
     clock_.shrink();
   }
   flow_->accept();
+  monitors_->follow_step();
   return outcome;
 }
 

@@ -39,6 +39,7 @@ class Simulation {
   const Clock& clock() const { return clock_; }
   void set_clock(const Clock& clock) { clock_ = clock; }
   const Monitors* monitors() const { return monitors_.get(); }
+  Monitors* monitors() { return monitors_.get(); }
   std::vector<double> monitor_values() const;
   const fsi::FsiSolver* flow() const { return flow_.get(); }
   fsi::FsiSolver* flow() { return flow_.get(); }

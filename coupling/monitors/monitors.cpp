@@ -9,6 +9,7 @@
 #include "core/base/mpi.hpp"
 #include "coupling/monitors/line_flux.hpp"
 #include "coupling/monitors/on_facets.hpp"
+#include "fsi_solver/assembly.hpp"
 #include "fsi_solver/continuum.hpp"
 
 namespace vocalis::coupling {
@@ -51,6 +52,7 @@ Monitors::Monitors(const fsi::FsiSolver& flow, const std::vector<MonitorSettings
       columns_.push_back(column.name());
     }
     monitors_.push_back(bind(monitor));
+    if (monitor.kind == MonitorKind::energy) open_ = fsi::find_open_facets(flow);
   }
   std::set<std::string> seen;
   for (const std::string& column : columns_) {
@@ -85,6 +87,8 @@ Monitors::Bound Monitors::bind(const MonitorSettings& monitor) const {
       bound.probe = find(monitor, monitor.position, true);
       break;
     case MonitorKind::force:
+      bound.body = fsi::make_body(*flow_, monitor.groups);
+      break;
     case MonitorKind::energy:
       break;
   }
@@ -109,6 +113,22 @@ Probe Monitors::find(const MonitorSettings& monitor, const Point& position, bool
   throw UserError(
       "monitor \"" + monitor.name + "\" needs a point inside " + (in_fluid ? "the fluid" : "the fluid or a solid"),
       words(position, continuum.mesh->dimension), "choose a point of the mesh before it moves [m]");
+}
+
+std::vector<double> Monitors::force(const Bound& monitor) const {
+  const std::array<double, 3> force = fsi::force_on(*flow_, *monitor.body);
+  std::vector<double> result(force.begin(), force.begin() + flow_->continuum().mesh->dimension);
+  if (monitor.settings.reference_force > 0) {
+    for (double& component : result) component /= monitor.settings.reference_force;
+  }
+  return result;
+}
+
+void Monitors::follow_step() {
+  if (!open_) return;
+  rates_ = fsi::energy(*flow_, *open_);
+  const fsi::Stage& stage = flow_->assembly().fields().stage();
+  balance_.advance(flow_->time() - (1 - stage.weight) * stage.dt, rates_.supplied - rates_.dissipated);
 }
 
 std::vector<double> Monitors::evaluate() const {
@@ -139,7 +159,11 @@ std::vector<double> Monitors::evaluate() const {
         values.push_back(value_at(state.pressure, monitor.probe)[0] - value_at(state.pressure, monitor.other)[0]);
         break;
       case MonitorKind::force:
+        append(force(monitor));
+        break;
       case MonitorKind::energy:
+        append({rates_.kinetic, rates_.elastic, rates_.supplied, rates_.dissipated,
+                rates_.kinetic + rates_.elastic - balance_.work});
         break;
     }
   }

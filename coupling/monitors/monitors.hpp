@@ -1,10 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "coupling/monitors/energy_balance.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/monitors/probe.hpp"
+#include "fsi_solver/body.hpp"
+#include "fsi_solver/energy.hpp"
 #include "fsi_solver/fsi_solver.hpp"
 
 namespace vocalis::coupling {
@@ -12,27 +16,39 @@ namespace vocalis::coupling {
 /// Monitors bound to the flow that they watch.
 class Monitors {
  public:
-  /// The solver must outlive the monitors. Throws UserError for a group that the flow mesh does not have, a point
-  /// outside it, a line in space, and columns of the same name. Collective.
+  /// The solver must outlive the monitors. Throws UserError for a group that the flow mesh does not have or no fluid
+  /// touches, a point outside the mesh, a line in space, and columns of the same name. Collective.
   Monitors(const fsi::FsiSolver& flow, const std::vector<MonitorSettings>& settings);
 
   /// Column names with units, "gap_m", "flow_m2_s", "tip_x_m".
   const std::vector<std::string>& columns() const { return columns_; }
-  /// One value a column from the flow's accepted state, the same on every rank. Collective.
+  /// To be called after every accepted step, in order: keeps account of the energy. Collective.
+  void follow_step();
+  /// One value a column, the same on every rank: of the accepted state; forces, energies and powers of the last step's
+  /// stage. Collective.
   std::vector<double> evaluate() const;
+
+  /// What monitors remember from step to step, for checkpoints.
+  const EnergyBalance& balance() const { return balance_; }
+  void set_balance(const EnergyBalance& balance) { balance_ = balance; }
 
  private:
   struct Bound {
     MonitorSettings settings;
     std::vector<mesh::NamedFacet> facets;  ///< of gap and flux
     Probe probe, other;                    ///< of displacement and pressures
+    std::optional<fsi::Body> body;         ///< of force
   };
   Bound bind(const MonitorSettings& monitor) const;
   void find_facets(Bound& bound) const;
   Probe find(const MonitorSettings& monitor, const Point& position, bool in_fluid) const;
+  std::vector<double> force(const Bound& monitor) const;
 
   const fsi::FsiSolver* flow_;
   std::vector<std::int32_t> cell_is_fluid_;  ///< of local cells, ghosts too
+  std::optional<fsi::OpenFacets> open_;      ///< only where an energy is watched, and so are ...
+  fsi::EnergyRates rates_;
+  EnergyBalance balance_;
   std::vector<Bound> monitors_;
   std::vector<std::string> columns_;
 };

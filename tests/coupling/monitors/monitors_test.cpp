@@ -199,6 +199,80 @@ TEST_CASE("the gap is a distance, on either side of the plane") {
   CHECK(values[1] == Approx(0.1));
 }
 
+TEST_CASE("a force has the components of the fluid's reaction, or is a coefficient") {
+  auto scene = test::box_scene({2, 1, 0}, {4, 3, 0}, [](const Point&) { return RegionKind::fluid; });
+  for (const fsi::Elements elements : both_elements) {
+    fsi::FlowSettings settings;
+    settings.elements = elements;
+    settings.viscosity = 0.1;
+    settings.boundaries = {{.group = "left", .kind = fsi::FlowBoundaryKind::velocity, .velocity = {1, 0, 0}},
+                           {.group = "right", .kind = fsi::FlowBoundaryKind::outlet}};
+    fsi::FsiSolver flow(scene->flow->mesh, settings, {.end = 1, .step = 0.1});
+    MonitorSettings force = monitor_of(MonitorKind::force, "");
+    force.groups = {"top", "bottom"};
+    MonitorSettings coefficient = force;
+    coefficient.name = "walls";
+    coefficient.reference_force = 0.25;
+    Monitors monitors(flow, {force, coefficient});
+    CHECK(monitors.columns() ==
+          std::vector<std::string>{"drag_N", "lift_N", "walls_drag_coefficient", "walls_lift_coefficient"});
+    REQUIRE_ON_ALL_RANKS(flow.try_step(0.1).converged);
+    flow.accept();
+    monitors.follow_step();
+    const std::vector<double> values = monitors.evaluate();
+    REQUIRE_ON_ALL_RANKS(values.size() == 4);
+    const auto wanted = fsi::force_on(flow, fsi::make_body(flow, force.groups));
+    CHECK(std::abs(values[0]) > 0.1);
+    CHECK(values[0] == Approx(wanted[0]));
+    CHECK(values[1] == Approx(wanted[1]));
+    CHECK(values[2] == Approx(4 * wanted[0]));
+    CHECK(values[3] == Approx(4 * wanted[1]));
+  }
+}
+
+TEST_CASE("the balance integrates a power by the trapezoidal rule from rest on") {
+  EnergyBalance balance;
+  for (const double time : {0.5, 0.7, 1.5, 2.0}) balance.advance(time, 3 * time);
+  CHECK(balance.work == Approx(6));
+  CHECK(balance.time == 2);
+  CHECK(balance.power == 6);
+}
+
+TEST_CASE("the energies of a bar that falls and swings balance, the better the smaller the step") {
+  auto scene = test::box_scene({2, 1, 0}, {4, 2, 0}, [](const Point&) { return RegionKind::solid; });
+  fsi::FlowSettings settings;
+  settings.elements = fsi::Elements::p2p1;
+  settings.solids = {{.region = "solid", .density = 1000, .young_modulus = 1e6, .damping = 200}};
+  settings.gravity = {0, -10, 0};
+  settings.boundaries = {{.group = "left", .kind = fsi::FlowBoundaryKind::fixed}};
+  settings.newton_tolerance = 1e-9;
+  for (const fsi::TimeScheme scheme : {fsi::TimeScheme::theta, fsi::TimeScheme::bdf2}) {
+    double residual[2], largest = 0;
+    for (int i = 0; i < 2; ++i) {
+      const double step = i == 0 ? 0.004 : 0.002;
+      fsi::FsiSolver flow(scene->flow->mesh, settings, {.end = 1, .step = step, .scheme = scheme});
+      Monitors monitors(flow, {monitor_of(MonitorKind::energy, "energy")});
+      REQUIRE_ON_ALL_RANKS(monitors.columns().size() == 5);
+      std::vector<double> values;
+      for (int n = 0; n < (i == 0 ? 20 : 40); ++n) {
+        REQUIRE_ON_ALL_RANKS(flow.try_step(step).converged);
+        flow.accept();
+        monitors.follow_step();
+        values = monitors.evaluate();
+        largest = std::max(largest, values[0] + values[1]);
+      }
+      CHECK(values[0] > 0);
+      CHECK(values[1] > 0);
+      CHECK(values[3] > 0);
+      CHECK(values[0] + values[1] - monitors.balance().work == Approx(values[4]).margin(1e-9 * largest));
+      residual[i] = std::abs(values[4]);
+    }
+    INFO("residuals " << residual[0] << " and " << residual[1] << " of " << largest << " J");
+    CHECK(residual[1] < 5e-4 * largest);
+    CHECK(residual[1] < 0.3 * residual[0]);
+  }
+}
+
 TEST_CASE("what the flow's mesh lacks is refused") {
   const Watched watched(2, fsi::Elements::p1p1), in_space(3, fsi::Elements::p1p1);
   const auto message = [](const Watched& of, const std::vector<MonitorSettings>& monitors) {
@@ -216,6 +290,9 @@ TEST_CASE("what the flow's mesh lacks is refused") {
   CHECK_THAT(message(watched, {at(MonitorKind::pressure_difference, {0.5, 0.5, 0}, {1.5, 0.5, 0})}),
              Contains("[1.5, 0.5]"));
   CHECK_THAT(message(in_space, {monitor_of(MonitorKind::flux, "line")}), Contains("in the plane only"));
+  MonitorSettings force = monitor_of(MonitorKind::force, "");
+  force.groups = {"left", "rigth"};
+  CHECK_THAT(message(watched, {force}), Contains("did you mean \"right\""));
   MonitorSettings twin = gap_of("top", 1, 0);
   twin.name = "point_x";
   CHECK_THAT(message(watched, {twin, at(MonitorKind::displacement, {0.5, 0.5, 0})}), Contains("\"point_x_m\" twice"));
