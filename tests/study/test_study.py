@@ -206,7 +206,9 @@ value = 4.0
         self.write(head.replace("[study]", "[study]\nexpected = false") + own, case)
         self.start()
         self.assertEqual({row["result"] for row in self.rows() if row["reference"]}, {"drag_mean_N"})
-        self.assertEqual(self.rows()[0]["tolerance"], "")
+        self.write(head + own + scaled, case)
+        self.start()
+        self.assertEqual([self.rows()[0][key] for key in ("result", "reference", "tolerance")], ["drag_mean_N", "100", ""])
 
     # Going on, and what fails.
 
