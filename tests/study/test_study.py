@@ -208,7 +208,8 @@ value = 4.0
         self.assertEqual({row["result"] for row in self.rows() if row["reference"]}, {"drag_mean_N"})
         self.write(head + own + scaled, case)
         self.start()
-        self.assertEqual([self.rows()[0][key] for key in ("result", "reference", "tolerance")], ["drag_mean_N", "100", ""])
+        first = self.rows()[0]
+        self.assertEqual((first["result"], first["reference"], first["tolerance"]), ("drag_mean_N", "100", ""))
 
     # Going on, and what fails.
 
