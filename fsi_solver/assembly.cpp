@@ -176,14 +176,12 @@ void Assembly::sum_tractions(ResidualSums& sums) {
   CellInput<D, Degree> in{};
   CellResidual<D, Degree> out{};
   for (const auto& [index, facet, batches] : tractions_) {
-    const FlowBoundary& boundary = conditions_.boundaries[index];
-    const double pressure = boundary.pressure * course(boundary, fields_.stage_time());
-    const double weight = backflow_weight(boundary, settings_.backflow_stabilisation);
+    const Traction traction = traction_of(conditions_.boundaries[index], settings_, fields_.stage_time());
     for (std::size_t batch = 0; batch < batches.batches.size(); ++batch) {
       const auto& [solid, count, cells] = batches.batches[batch];
       fields_.gather(batches, batch, in);
       std::fill(out.values, out.values + E::count, Lanes{});
-      add_traction<D, Degree>(in, facet, pressure, weight, out);
+      add_traction<D, Degree>(in, facet, traction, out);
       scatter(out.values, E::nodes, D, batches.velocity_dofs_of(batch), count, traction_);
       sums.add_terms(ResidualSums::momentum, 1 + solid, squares_of(out.values, E::nodes * D, active_lanes(count)));
     }
@@ -249,12 +247,12 @@ void Assembly::sum_jacobian() {
     spread(batches.batches[batch], false);
   }
   for (const auto& [index, facet, facets] : tractions_) {
-    const double weight = backflow_weight(conditions_.boundaries[index], settings_.backflow_stabilisation);
-    if (weight == 0) continue;
+    const Traction traction = traction_of(conditions_.boundaries[index], settings_, fields_.stage_time());
+    if (traction.backflow_weight == 0 && traction.viscosity == 0) continue;
     for (std::size_t batch = 0; batch < facets.batches.size(); ++batch) {
       fields_.gather(facets, batch, in);
       std::fill(matrix.begin(), matrix.end(), Lanes{});
-      add_traction_jacobian<D, Degree>(in, facet, weight, stage, matrix.data());
+      add_traction_jacobian<D, Degree>(in, facet, traction, stage, matrix.data());
       spread(facets.batches[batch], true);
     }
   }

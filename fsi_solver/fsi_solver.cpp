@@ -127,7 +127,8 @@ const base::Timers& FsiSolver::timers() const { return inside_->timers; }
 
 std::int64_t FsiSolver::num_unknowns() const {
   const Continuum& continuum = inside_->continuum;
-  return continuum.mesh->dimension * continuum.velocity_space.dofs.num_global + continuum.pressure_space.dofs.num_global;
+  return continuum.mesh->dimension * continuum.velocity_space.dofs.num_global +
+         continuum.pressure_space.dofs.num_global;
 }
 
 std::vector<double> FsiSolver::current_coordinates() const {
