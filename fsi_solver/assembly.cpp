@@ -38,7 +38,7 @@ void scatter(const Lanes* values, int nodes, int components, const std::int32_t*
 }  // namespace
 
 Assembly::Assembly(const Continuum& continuum, const FlowSettings& settings, const Conditions& conditions,
-                   const Prescribed& prescribed, MeshMotion* motion)
+                   const Prescribed& prescribed, MeshFollower* motion)
     : continuum_(continuum),
       settings_(settings),
       conditions_(conditions),

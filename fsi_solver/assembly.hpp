@@ -16,7 +16,7 @@ class Assembly {
  public:
   /// All references must outlive this. Collective.
   Assembly(const Continuum& continuum, const FlowSettings& settings, const Conditions& conditions,
-           const Prescribed& prescribed, MeshMotion* motion);
+           const Prescribed& prescribed, MeshFollower* motion);
 
   const la::SystemLayout& layout() const { return fields_.layout(); }
   Mat matrix() const { return matrix_->get(); }

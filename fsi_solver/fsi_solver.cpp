@@ -18,7 +18,7 @@ struct FsiSolver::Inside {
         continuum(make_continuum(mesh, settings)),
         conditions(make_conditions(continuum, settings)) {
     if (continuum.has_fluid && continuum.has_solid && !prescribed.mesh_displacement) {
-      motion = std::make_unique<MeshMotion>(continuum, conditions, settings.mesh_stiffening);
+      motion = std::make_unique<MeshFollower>(continuum, conditions, settings, timers);
     }
     assembly = std::make_unique<Assembly>(continuum, settings, conditions, prescribed, motion.get());
     newton = std::make_unique<Newton>(*assembly, settings.newton_tolerance, settings.newton_iterations, timers);
@@ -33,7 +33,7 @@ struct FsiSolver::Inside {
   Continuum continuum;
   Conditions conditions;
   base::Timers timers;
-  std::unique_ptr<MeshMotion> motion;
+  std::unique_ptr<MeshFollower> motion;
   std::unique_ptr<Assembly> assembly;
   std::unique_ptr<Newton> newton;
   State state;
@@ -116,7 +116,10 @@ void FsiSolver::set_state(const State& state) {
   drop_caches();
 }
 
-void FsiSolver::drop_caches() { inside_->newton->drop_jacobian(); }
+void FsiSolver::drop_caches() {
+  inside_->newton->drop_jacobian();
+  if (inside_->motion) inside_->motion->drop_factors();
+}
 
 const Continuum& FsiSolver::continuum() const { return inside_->continuum; }
 const FlowSettings& FsiSolver::settings() const { return inside_->settings; }

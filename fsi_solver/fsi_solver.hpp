@@ -71,7 +71,7 @@ class FsiSolver {
   /// The fluid's pressure [Pa] at the vertices; 0 where there is no fluid. Collective.
   fem::Field fluid_pressure() const;
 
-  /// Wall seconds of "flow.assemble" (with mesh motion), "flow.newton" (all of the step).
+  /// Wall seconds of "mesh_motion", "flow.assemble" (which holds it), "flow.newton" (all of the step).
   const base::Timers& timers() const;
 
  private:

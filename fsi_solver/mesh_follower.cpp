@@ -14,8 +14,10 @@ double smallest_quality(const Continuum& continuum, const fem::Field& displaceme
 
 }  // namespace
 
-MeshFollower::MeshFollower(const Continuum& continuum, const Conditions& conditions, const FlowSettings& settings)
+MeshFollower::MeshFollower(const Continuum& continuum, const Conditions& conditions, const FlowSettings& settings,
+                           base::Timers& timers)
     : continuum_(continuum),
+      timers_(timers),
       quality_(settings.smoother_quality),
       linear_(continuum, conditions, settings.mesh_stiffening),
       start_(continuum.vertex_space, continuum.mesh->dimension) {
@@ -33,6 +35,7 @@ void MeshFollower::drop_factors() {
 }
 
 void MeshFollower::extend(fem::Field& displacement) {
+  const auto scope = timers_.scope("mesh_motion");
   linear_.extend(displacement);
   if (!nonlinear_) return;
   const double bad = std::clamp(2 * (1 - smallest_quality(continuum_, displacement) / quality_), 0.0, 1.0);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/base/timers.hpp"
 #include "fsi_solver/mesh_motion.hpp"
 #include "fsi_solver/nonlinear_smoother.hpp"
 
@@ -16,8 +17,9 @@ namespace vocalis::fsi {
 /// jump, which the mesh's velocity would show as a peak.
 class MeshFollower {
  public:
-  /// The references must outlive this. Collective.
-  MeshFollower(const Continuum& continuum, const Conditions& conditions, const FlowSettings& settings);
+  /// The references must outlive this; `timers` gets the phase "mesh_motion". Collective.
+  MeshFollower(const Continuum& continuum, const Conditions& conditions, const FlowSettings& settings,
+               base::Timers& timers);
 
   /// Displacement of all vertices at the beginning of a step: searches begin there, and then at the last result. With
   /// the non-linear smoother's factors dropped, results depend on this and on the solids to the last bit.
@@ -30,6 +32,7 @@ class MeshFollower {
 
  private:
   const Continuum& continuum_;
+  base::Timers& timers_;
   double quality_;  ///< below which the non-linear smoother has a part
   MeshMotion linear_;
   std::unique_ptr<NonlinearSmoother> nonlinear_;  ///< null with the linear one alone

@@ -139,7 +139,10 @@ NewtonReport Newton::attempt(const State& state, const Stage& stage) {
   errors_.clear();
   secants_.begin_solve();
   failure_ = nullptr;
-  assembly_.begin_step(state, stage, unknowns_.get());
+  {
+    const auto scope = timers_.scope("flow.assemble");
+    assembly_.begin_step(state, stage, unknowns_.get());
+  }
   const PetscErrorCode code = SNESSolve(solver_.get(), nullptr, unknowns_.get());
   if (failure_) std::rethrow_exception(failure_);
   base::check(code);

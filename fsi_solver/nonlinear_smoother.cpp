@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/mpi.hpp"
@@ -96,7 +97,7 @@ bool NonlinearSmoother::find_step(bool pushes) {
     }
   }
   const bool solved = la::solve(solver_.get(), right_hand_side_.get(), solution_.get()).converged;
-  double slope = 0;
+  double slope = solved ? 0 : std::numeric_limits<double>::quiet_NaN();
   {
     const la::ReadValues values(solution_.get());
     for (std::size_t i = 0; i < constrained_.size(); ++i) {
@@ -106,7 +107,7 @@ bool NonlinearSmoother::find_step(bool pushes) {
   }
   step_.copy_to_ghosts();
   slope_ = base::sum(continuum_.mesh->comm, slope);
-  return solved && std::isfinite(slope_);
+  return std::isfinite(slope_);
 }
 
 /// The displacement when a part of the step is gone.

@@ -5,7 +5,7 @@
 namespace vocalis::fsi {
 
 StageFields::StageFields(const Continuum& continuum, const FlowSettings& settings, const Conditions& conditions,
-                         const Prescribed& prescribed, MeshMotion* motion)
+                         const Prescribed& prescribed, MeshFollower* motion)
     : continuum_(continuum),
       settings_(settings),
       conditions_(conditions),
@@ -42,6 +42,7 @@ void StageFields::begin_step(const State& state, const Stage& stage, Vec unknown
     layout_.copy_owned_to_system(0, velocity_.values, values.data());
     layout_.copy_owned_to_system(1, state.pressure.values, values.data());
   }
+  if (motion_) motion_->begin_step(at_vertices(continuum_, state.displacement));
   if (!moves_ || settings_.geometry == Geometry::implicit) return;
   for (std::size_t i = 0; i < velocity_.values.size(); ++i) {
     stage_velocity_[i] = stage_.at_stage(velocity_.values[i], state.velocity.values[i]);

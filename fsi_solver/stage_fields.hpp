@@ -6,7 +6,7 @@
 #include "core/la/system_layout.hpp"
 #include "fsi_solver/cell_input.hpp"
 #include "fsi_solver/conditions.hpp"
-#include "fsi_solver/mesh_motion.hpp"
+#include "fsi_solver/mesh_follower.hpp"
 #include "fsi_solver/stage.hpp"
 
 namespace vocalis::fsi {
@@ -17,7 +17,7 @@ class StageFields {
  public:
   /// All references must outlive this; `motion` is null where nothing moves the fluid's mesh. Collective.
   StageFields(const Continuum& continuum, const FlowSettings& settings, const Conditions& conditions,
-              const Prescribed& prescribed, MeshMotion* motion);
+              const Prescribed& prescribed, MeshFollower* motion);
 
   /// The unknowns as one system: velocity, pressure, and with P1P1 the projected pressure gradient.
   const la::SystemLayout& layout() const { return layout_; }
@@ -57,7 +57,7 @@ class StageFields {
   const FlowSettings& settings_;
   const Conditions& conditions_;
   const Prescribed& prescribed_;
-  MeshMotion* motion_;
+  MeshFollower* motion_;
   bool moves_, has_forces_;
 
   la::SystemLayout layout_;

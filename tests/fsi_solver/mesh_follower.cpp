@@ -34,8 +34,9 @@ fem::Field nonlinear_mesh(const Room& room, double angle) {
 
 TEST_CASE("the mesh is that of the linear smoother where this is good, of the non-linear one where it is bad") {
   const Room room(2, 12);
-  MeshFollower follower(room.continuum, room.conditions, nonlinear());
-  MeshFollower linear(room.continuum, room.conditions, FlowSettings());
+  base::Timers timers;
+  MeshFollower follower(room.continuum, room.conditions, nonlinear(), timers);
+  MeshFollower linear(room.continuum, room.conditions, FlowSettings(), timers);
   struct Position {
     double angle, least, most;  // quality of the linear mesh
   };
@@ -56,7 +57,8 @@ TEST_CASE("the mesh is that of the linear smoother where this is good, of the no
 
 TEST_CASE("between the smoothers the mesh moves without a jump, and comes back") {
   const Room room(2, 12);
-  MeshFollower follower(room.continuum, room.conditions, nonlinear());
+  base::Timers timers;
+  MeshFollower follower(room.continuum, room.conditions, nonlinear(), timers);
   std::vector<fem::Field> there;
   double fastest = 0;
   const auto mesh_at = [&](int angle) {
@@ -76,7 +78,9 @@ TEST_CASE("between the smoothers the mesh moves without a jump, and comes back")
 
 TEST_CASE("a step that begins anew leaves no trace of one that was given up") {
   const Room room(2, 12);
-  MeshFollower one(room.continuum, room.conditions, nonlinear()), other(room.continuum, room.conditions, nonlinear());
+  base::Timers timers;
+  MeshFollower one(room.continuum, room.conditions, nonlinear(), timers),
+      other(room.continuum, room.conditions, nonlinear(), timers);
   fem::Field before = nonlinear_mesh(room, 38), given_up = room.moved(50, -0.2);
   fem::Field here = room.moved(40, 0.1), there = here;
   one.begin_step(before);
@@ -91,7 +95,8 @@ TEST_CASE("a step that begins anew leaves no trace of one that was given up") {
 
 TEST_CASE("where the non-linear smoother finds no mesh the inverted one of the linear smoother stays") {
   const Room room(2, 6);
-  MeshFollower follower(room.continuum, room.conditions, nonlinear());
+  base::Timers timers;
+  MeshFollower follower(room.continuum, room.conditions, nonlinear(), timers);
   fem::Field mesh = room.moved(0, 1.2), linear = mesh;
   follower.extend(mesh);
   MeshMotion(room.continuum, room.conditions, 1).extend(linear);
