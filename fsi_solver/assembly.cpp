@@ -108,6 +108,7 @@ void Assembly::begin_step(const State& state, const Stage& stage, Vec unknowns) 
   fields_.begin_step(state, stage, unknowns);
   fields_.follow(unknowns);
   with_element(continuum_.velocity_space, [&]<int D, int Degree>() {
+    if (!needs_stabilisation(continuum_, settings_)) return;
     const fem::Field gradient = stabilise<D, Degree>(fields_, continuum_, settings_, stabilisation_);
     if (!Element<D, Degree>::is_stabilised) return;
     const la::OwnedValues values(unknowns);

@@ -125,6 +125,12 @@ fem::Field projection_of(fem::Load& sums) {
 
 }  // namespace
 
+bool needs_stabilisation(const Continuum& continuum, const FlowSettings& settings) {
+  const bool recovers = std::any_of(continuum.solids.begin(), continuum.solids.end(),
+                                    [](const SolidMaterial& solid) { return solid.incompressible; });
+  return continuum.velocity_space.degree == 1 || settings.streamline_stabilisation || recovers;
+}
+
 template <int D, int Degree>
 fem::Field stabilise(const StageFields& fields, const Continuum& continuum, const FlowSettings& settings,
                      Stabilisation& stabilisation) {

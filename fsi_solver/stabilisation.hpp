@@ -29,6 +29,10 @@ struct Stabilisation {
   double of_pressure = 1;                            ///< 0: the pressure has none
 };
 
+/// Whether there is anything to stabilise: not with P2P1 if the streamlines are left alone, and no solid is
+/// incompressible.
+bool needs_stabilisation(const Continuum& continuum, const FlowSettings& settings);
+
 /// Renews the stabilisation of every cell from the fields as they are. Returns the τ-weighted lumped projection π of
 /// their pressure gradient [Pa/m], on the pressure's space, ghosts current (P1P1 only; else zero). Collective.
 template <int D, int Degree>
