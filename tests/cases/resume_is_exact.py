@@ -15,6 +15,8 @@ SERIES = ("history.csv", "microphones.csv", "microphones_damped.csv")
 STOPS = {1: ((1,), (4,), (5,), (6,), (6, 6)), 2: ((1,), (6,))}
 # So few iterations that steps are rejected, halved and grow again.
 WITH_REJECTIONS = ("--set", "flow.newton_iterations=2", "--set", "time.end=1.5e-4")
+# A step that adapts: it is rejected, cut and grows.
+WITH_ADAPTATION = ("--set", "time.tolerance=1e-3", "--set", "time.smallest_dt=1e-6", "--set", "time.end=2e-4")
 
 
 def compare_fields(program, one, other, what):
@@ -95,6 +97,12 @@ def test(program, folder):
     program.expect_code(0, program.start(1, *run, "--out", whole), what)
     program.expect(read_summary(whole)["rejected_steps"] > 1, f"{what}: {read_summary(whole)}")
     stop_and_resume(program, 1, whole, run, (11,), folder / "rejecting_stopped", what)
+
+    whole, run, what = folder / "adapting", ("run", HERE / "larynx.toml", *WITH_ADAPTATION), "stopped while dt adapts"
+    program.expect_code(0, program.start(1, *run, "--out", whole), what)
+    columns, values = read_series(whole / "history.csv")
+    program.expect(len(set(values[columns.index("dt_s")])) > 4, f"{what}: dt {values[columns.index('dt_s')]}")
+    stop_and_resume(program, 1, whole, run, (13, 10), folder / "adapting_stopped", what)
 
 
 if __name__ == "__main__":
