@@ -119,15 +119,20 @@ TEST_CASE("monitors whose names begin alike keep their own columns", "[serial]")
   MonitorSettings other = config.monitors.front();
   other.name = "gap_2";
   config.monitors.push_back(other);
+  MonitorSettings pressure;  // says nothing about a voice
+  pressure.name = "front";
+  pressure.kind = MonitorKind::pressure;
+  config.monitors.push_back(pressure);
   std::ofstream file(folder.file("history.csv"));
-  file << "step,time_s,dt_s,gap_m,flow_m2_s,gap_2_m\n";
-  for (int n = 1; n <= 100; ++n) file << n << ',' << n * 1e-3 << ",1e-3,1,3,2\n";
+  file << "step,time_s,dt_s,gap_m,flow_m2_s,gap_2_m,front_Pa\n";
+  for (int n = 1; n <= 100; ++n) file << n << ',' << n * 1e-3 << ",1e-3,1,3,2,9\n";
   file.close();
   const Figures figures = evaluate_run(config, folder.path());
   CHECK(figures.values.at("gap_peak_m") == 1);
   CHECK(figures.values.at("gap_2_peak_m") == 2);
   CHECK(figures.values.at("flow_mean_m2_s") == 3);
   CHECK(figures.values.count("gap_peak_2_m") == 0);
+  for (const auto& [name, value] : figures.values) CHECK(name.find("front") == std::string::npos);
 }
 
 TEST_CASE("a case's statistics say what becomes of its monitors' columns, instead of a voice's figures", "[serial]") {
