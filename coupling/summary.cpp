@@ -67,7 +67,7 @@ void write_summary(const std::string& path, const Case& config, const RunFacts& 
 
 void print_table(base::Log& log, const Case& config, const RunFacts& facts, const Figures& figures) {
   log.info("");
-  log.info("{} after {} steps, {:.6g} s of voice in {}", facts.status, facts.steps, facts.simulated_seconds,
+  log.info("{} after {} steps, {:.6g} s simulated in {}", facts.status, facts.steps, facts.simulated_seconds,
            base::duration_words(facts.wall_seconds));
   if (!facts.reason.empty()) log.info("  {}", facts.reason);
   for (const auto& [name, value] : figures.values) {
