@@ -6,8 +6,8 @@
 #include "core/fem/field.hpp"
 #include "core/mesh/facets.hpp"
 #include "core/mesh/mesh.hpp"
-#include "fsi_solver/cell_batches.hpp"
-#include "fsi_solver/constitutive.hpp"
+#include "fsi_solver/cells/cell_batches.hpp"
+#include "fsi_solver/cells/constitutive.hpp"
 #include "fsi_solver/settings.hpp"
 
 namespace vocalis::fsi {

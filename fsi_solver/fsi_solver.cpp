@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/mesh/facets.hpp"
-#include "fsi_solver/local_error.hpp"
-#include "fsi_solver/newton.hpp"
+#include "fsi_solver/solution/local_error.hpp"
+#include "fsi_solver/solution/newton.hpp"
 
 namespace vocalis::fsi {
 

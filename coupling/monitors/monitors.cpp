@@ -9,7 +9,7 @@
 #include "core/base/mpi.hpp"
 #include "coupling/monitors/line_flux.hpp"
 #include "coupling/monitors/on_facets.hpp"
-#include "fsi_solver/assembly.hpp"
+#include "fsi_solver/solution/assembly.hpp"
 #include "fsi_solver/continuum.hpp"
 
 namespace vocalis::coupling {

@@ -7,8 +7,8 @@
 #include "coupling/monitors/energy_balance.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/monitors/probe.hpp"
-#include "fsi_solver/body.hpp"
-#include "fsi_solver/energy.hpp"
+#include "fsi_solver/measures/body.hpp"
+#include "fsi_solver/measures/energy.hpp"
 #include "fsi_solver/fsi_solver.hpp"
 
 namespace vocalis::coupling {

@@ -1,4 +1,4 @@
-#include "fsi_solver/constitutive.hpp"
+#include "fsi_solver/cells/constitutive.hpp"
 
 #include <catch2/catch.hpp>
 

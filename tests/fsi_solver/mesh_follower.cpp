@@ -1,4 +1,4 @@
-#include "fsi_solver/mesh_follower.hpp"
+#include "fsi_solver/mesh_motion/mesh_follower.hpp"
 
 #include "tests/all_ranks.hpp"
 #include "tests/fsi_solver/room.hpp"

@@ -1,12 +1,12 @@
-#include "fsi_solver/nonlinear_smoother.hpp"
+#include "fsi_solver/mesh_motion/nonlinear_smoother.hpp"
 
 #include <cmath>
 #include <random>
 
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
-#include "fsi_solver/distortion_energy.hpp"
-#include "fsi_solver/mesh_motion.hpp"
+#include "fsi_solver/mesh_motion/distortion_energy.hpp"
+#include "fsi_solver/mesh_motion/mesh_motion.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/fsi_solver/room.hpp"
 

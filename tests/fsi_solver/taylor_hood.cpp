@@ -1,10 +1,10 @@
 #include <cmath>
 
 #include "core/base/mpi.hpp"
-#include "fsi_solver/body.hpp"
 #include "fsi_solver/continuum.hpp"
-#include "fsi_solver/energy.hpp"
 #include "fsi_solver/fsi_solver.hpp"
+#include "fsi_solver/measures/body.hpp"
+#include "fsi_solver/measures/energy.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/fsi_solver/boxes.hpp"
 

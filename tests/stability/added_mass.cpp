@@ -1,4 +1,4 @@
-#include "fsi_solver/energy.hpp"
+#include "fsi_solver/measures/energy.hpp"
 #include "tests/stability/loose_coupling.hpp"
 #include "tests/stability/parts.hpp"
 #include "tests/verification/flow_manufactured.hpp"

@@ -1,6 +1,6 @@
 #include <sstream>
 
-#include "fsi_solver/energy.hpp"
+#include "fsi_solver/measures/energy.hpp"
 #include "tests/verification/flow_manufactured.hpp"
 
 namespace vocalis::fsi {

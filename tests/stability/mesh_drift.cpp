@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "fsi_solver/mesh_motion.hpp"
-#include "fsi_solver/nonlinear_smoother.hpp"
+#include "fsi_solver/mesh_motion/mesh_motion.hpp"
+#include "fsi_solver/mesh_motion/nonlinear_smoother.hpp"
 #include "tests/fsi_solver/room.hpp"
 #include "tests/stability/parts.hpp"
 #include "tests/verification/flow_manufactured.hpp"

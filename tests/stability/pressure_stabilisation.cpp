@@ -1,4 +1,4 @@
-#include "fsi_solver/assembly.hpp"
+#include "fsi_solver/solution/assembly.hpp"
 #include "tests/verification/flow_manufactured.hpp"
 
 namespace vocalis::fsi {

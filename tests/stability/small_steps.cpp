@@ -2,8 +2,8 @@
 #include <sstream>
 #include <utility>
 
-#include "fsi_solver/assembly.hpp"
-#include "fsi_solver/direct_solver.hpp"
+#include "fsi_solver/solution/assembly.hpp"
+#include "fsi_solver/solution/direct_solver.hpp"
 #include "tests/verification/flow_manufactured.hpp"
 
 namespace vocalis::fsi {

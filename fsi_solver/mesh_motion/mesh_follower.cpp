@@ -1,0 +1,54 @@
+#include "fsi_solver/mesh_motion/mesh_follower.hpp"
+
+#include <algorithm>
+
+namespace vocalis::fsi {
+
+namespace {
+
+double smallest_quality(const Continuum& continuum, const fem::Field& displacement) {
+  std::vector<double> places = continuum.mesh->coordinates;
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] += displacement.values[i];
+  return smallest_fluid_quality(continuum, places);
+}
+
+}  // namespace
+
+MeshFollower::MeshFollower(const Continuum& continuum, const Conditions& conditions, const FlowSettings& settings,
+                           base::Timers& timers)
+    : continuum_(continuum),
+      timers_(timers),
+      quality_(settings.smoother_quality),
+      linear_(continuum, conditions, settings.mesh_stiffening),
+      start_(continuum.vertex_space, continuum.mesh->dimension) {
+  if (settings.smoother == Smoother::nonlinear) {
+    nonlinear_ = std::make_unique<NonlinearSmoother>(continuum, conditions, settings.mesh_stiffening);
+  }
+}
+
+void MeshFollower::begin_step(const fem::Field& displacement) {
+  if (nonlinear_) start_.values = displacement.values;
+}
+
+void MeshFollower::drop_factors() {
+  if (nonlinear_) nonlinear_->drop_factors();
+}
+
+void MeshFollower::extend(fem::Field& displacement) {
+  const auto scope = timers_.scope("mesh_motion");
+  linear_.extend(displacement);
+  if (!nonlinear_) return;
+  const double bad = std::clamp(2 * (1 - smallest_quality(continuum_, displacement) / quality_), 0.0, 1.0);
+  if (bad > 0) {
+    fem::Field other = displacement;
+    if (nonlinear_->extend(other, start_).converged) {
+      const double part = bad * bad * (3 - 2 * bad);
+      for (std::size_t i = 0; i < displacement.values.size(); ++i) {
+        displacement.values[i] += part * (other.values[i] - displacement.values[i]);
+      }
+    }
+  }
+  if (smallest_quality(continuum_, displacement) > 0) start_.values = displacement.values;
+}
+
+}  // namespace vocalis::fsi
