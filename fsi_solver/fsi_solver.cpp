@@ -158,4 +158,8 @@ fem::Field FsiSolver::fluid_pressure() const {
   return result;
 }
 
+double smallest_quality(const FsiSolver& solver) {
+  return smallest_fluid_quality(solver.continuum(), solver.current_coordinates());
+}
+
 }  // namespace vocalis::fsi

@@ -79,10 +79,6 @@ class FsiSolver {
   std::unique_ptr<Inside> inside_;
 };
 
-/// ∫ v·n over a named group of facets on the current geometry [m^2/s, m^3/s]: outward on the exterior boundary; on a
-/// group inside the mesh, towards larger x (then y, z). Collective.
-double flux(const FsiSolver& solver, const std::string& group);
-
 /// Smallest quality of the moved fluid mesh. Collective.
 double smallest_quality(const FsiSolver& solver);
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "coupling/monitors/cell_map.hpp"
+#include "core/fem/cell_map.hpp"
 
 namespace vocalis::coupling {
 
@@ -16,7 +16,7 @@ namespace vocalis::coupling {
 ///
 /// points          (dofs, 2) [m] where the dofs of the velocity's space are now
 /// cell_is_marked  of local cells, ghosts too
-double flux_across(const fem::Field& velocity, std::span<const double> points, const Point& from, const Point& to,
-                   const std::vector<std::int32_t>& cell_is_marked);
+double flux_across(const fem::Field& velocity, std::span<const double> points, const fem::Point& from,
+                   const fem::Point& to, const std::vector<std::int32_t>& cell_is_marked);
 
 }  // namespace vocalis::coupling

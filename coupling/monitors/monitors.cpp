@@ -7,10 +7,10 @@
 #include "core/base/case_table.hpp"
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
+#include "core/fem/facet_integrals.hpp"
 #include "coupling/monitors/line_flux.hpp"
-#include "coupling/monitors/on_facets.hpp"
-#include "fsi_solver/solution/assembly.hpp"
 #include "fsi_solver/continuum.hpp"
+#include "fsi_solver/solution/assembly.hpp"
 
 namespace vocalis::coupling {
 
@@ -18,7 +18,7 @@ namespace {
 
 using base::UserError;
 
-std::string words(const Point& point, int dimension) {
+std::string words(const fem::Point& point, int dimension) {
   return dimension == 2 ? fmt::format("[{}, {}]", point[0], point[1])
                         : fmt::format("[{}, {}, {}]", point[0], point[1], point[2]);
 }
@@ -97,14 +97,14 @@ Monitors::Bound Monitors::bind(const MonitorSettings& monitor) const {
 
 void Monitors::find_facets(Bound& bound) const {
   const mesh::Mesh& mesh = *flow_->continuum().mesh;
-  bound.facets = facets_seen_once(mesh, bound.settings.group);
+  bound.facets = fem::facets_seen_once(mesh, bound.settings.group);
   if (base::sum(mesh.comm, static_cast<std::int64_t>(bound.facets.size())) > 0) return;
   throw UserError("monitor \"" + bound.settings.name + "\" needs a group of facets on the flow mesh",
                   "group = \"" + bound.settings.group + "\"",
                   base::did_you_mean(bound.settings.group, mesh.group_names));
 }
 
-Probe Monitors::find(const MonitorSettings& monitor, const Point& position, bool in_fluid) const {
+Probe Monitors::find(const MonitorSettings& monitor, const fem::Point& position, bool in_fluid) const {
   const fsi::Continuum& continuum = flow_->continuum();
   const std::vector<std::int32_t> everywhere(continuum.mesh->num_cells(), 1);
   const Probe probe =
@@ -142,12 +142,12 @@ std::vector<double> Monitors::evaluate() const {
     const double factor = settings.mirrored ? 2 : 1;
     switch (settings.kind) {
       case MonitorKind::gap:
-        values.push_back(factor * gap_to_plane(space, points, monitor.facets, settings.axis, settings.plane));
+        values.push_back(factor * fem::gap_to_plane(space, points, monitor.facets, settings.axis, settings.plane));
         break;
       case MonitorKind::flux:
         values.push_back(factor * (settings.group.empty()
                                        ? flux_across(state.velocity, points, settings.from, settings.to, cell_is_fluid_)
-                                       : flux_through(state.velocity, points, monitor.facets)));
+                                       : fem::flux_through(state.velocity, points, monitor.facets)));
         break;
       case MonitorKind::displacement:
         append(value_at(state.displacement, monitor.probe));

@@ -7,9 +7,9 @@
 #include "coupling/monitors/energy_balance.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/monitors/probe.hpp"
+#include "fsi_solver/fsi_solver.hpp"
 #include "fsi_solver/measures/body.hpp"
 #include "fsi_solver/measures/energy.hpp"
-#include "fsi_solver/fsi_solver.hpp"
 
 namespace vocalis::coupling {
 
@@ -41,7 +41,7 @@ class Monitors {
   };
   Bound bind(const MonitorSettings& monitor) const;
   void find_facets(Bound& bound) const;
-  Probe find(const MonitorSettings& monitor, const Point& position, bool in_fluid) const;
+  Probe find(const MonitorSettings& monitor, const fem::Point& position, bool in_fluid) const;
   std::vector<double> force(const Bound& monitor) const;
 
   const fsi::FsiSolver* flow_;

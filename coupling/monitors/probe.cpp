@@ -12,13 +12,13 @@ namespace {
 constexpr double forgiven_outside = 0.1;  // of a cell, in barycentric coordinates
 constexpr double worth_a_look = 0.5;      // the same, as if the cell were straight
 
-double lowest(const Barycentric& coordinates, int dimension) {
+double lowest(const fem::Barycentric& coordinates, int dimension) {
   return *std::min_element(coordinates.begin(), coordinates.begin() + dimension + 1);
 }
 
 }  // namespace
 
-Probe find_probe(const fem::Space& space, std::span<const double> points, const Point& position,
+Probe find_probe(const fem::Space& space, std::span<const double> points, const fem::Point& position,
                  const std::vector<std::int32_t>& cell_is_marked) {
   const mesh::Mesh& mesh = *space.mesh;
   Probe best;
@@ -26,7 +26,7 @@ Probe find_probe(const fem::Space& space, std::span<const double> points, const 
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     if (!cell_is_marked[cell]) continue;
     if (lowest(mesh::barycentric_coordinates(mesh, cell, position), mesh.dimension) < -worth_a_look) continue;
-    const auto coordinates = CellMap(space, points, cell).coordinates_of(position);
+    const auto coordinates = fem::CellMap(space, points, cell).coordinates_of(position);
     if (!coordinates || lowest(*coordinates, mesh.dimension) <= depth) continue;
     depth = lowest(*coordinates, mesh.dimension);
     best.cell = cell;
@@ -42,7 +42,7 @@ std::vector<double> value_at(const fem::Field& field, const Probe& probe) {
   const MPI_Comm comm = field.space->mesh->comm;
   std::vector<double> result;
   if (base::rank(comm) == probe.rank) {
-    for (int c = 0; c < field.components; ++c) result.push_back(value_in(field, probe.cell, probe.coordinates, c));
+    for (int c = 0; c < field.components; ++c) result.push_back(fem::value_in(field, probe.cell, probe.coordinates, c));
   }
   base::broadcast(comm, result, probe.rank);
   return result;

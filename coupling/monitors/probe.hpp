@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "coupling/monitors/cell_map.hpp"
+#include "core/fem/cell_map.hpp"
 
 namespace vocalis::coupling {
 
@@ -11,13 +11,13 @@ namespace vocalis::coupling {
 struct Probe {
   int rank = -1;           ///< that has the cell, the same on every rank; -1: no cell contains the point
   std::int32_t cell = -1;  ///< on that rank, and so are ...
-  Barycentric coordinates = {0, 0, 0, 0};
+  fem::Barycentric coordinates = {0, 0, 0, 0};
 };
 
 /// Looks for a point in the marked cells, with the dofs of the space at given points of the reference. A point on a
 /// curved boundary may be outside of all cells: less than a tenth of a cell is forgiven. Of several cells it is the one
 /// where the point lies deepest, then that of the lowest rank. Collective.
-Probe find_probe(const fem::Space& space, std::span<const double> points, const Point& position,
+Probe find_probe(const fem::Space& space, std::span<const double> points, const fem::Point& position,
                  const std::vector<std::int32_t>& cell_is_marked);
 
 /// All components of a field at a probe, the same on every rank. Its space must have unknowns there. Collective.

@@ -4,6 +4,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
+#include "core/fem/facet_integrals.hpp"
 #include "fsi_solver/continuum.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/fsi_solver/boxes.hpp"
@@ -43,6 +44,12 @@ FlowSettings soft_channel_settings() {
   settings.newton_tolerance = 1e-11;
   settings.newton_iterations = 25;
   return settings;
+}
+
+double flux(const FsiSolver& solver, const std::string& group) {
+  std::vector<double> points = solver.continuum().reference_points;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] += solver.state().displacement.values[i];
+  return fem::flux_through(solver.state().velocity, points, fem::facets_seen_once(*solver.continuum().mesh, group));
 }
 
 double largest(const std::vector<double>& values) {

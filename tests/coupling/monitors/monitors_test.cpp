@@ -13,15 +13,15 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-using Vector = std::function<Point(const Point&)>;
+using Vector = std::function<fem::Point(const fem::Point&)>;
 
 /// A box [0, 2] x [0, 1] (x [0, 0.5]), solid in x > 1, with a flow that is set and never solved.
 class Watched {
  public:
   Watched(int dimension, fsi::Elements elements)
-      : scene_(
-            test::box_scene({2, 1, dimension == 2 ? 0 : 0.5}, {4, 3, 2},
-                            [](const Point& centre) { return centre[0] < 1 ? RegionKind::fluid : RegionKind::solid; })),
+      : scene_(test::box_scene(
+            {2, 1, dimension == 2 ? 0 : 0.5}, {4, 3, 2},
+            [](const fem::Point& centre) { return centre[0] < 1 ? RegionKind::fluid : RegionKind::solid; })),
         flow_(scene_->flow->mesh, settings(elements), time()) {}
 
   /// Displacement and velocity as functions of the reference point.
@@ -30,7 +30,7 @@ class Watched {
     const std::vector<double>& points = flow_.continuum().reference_points;
     const int d = scene_->parent.dimension;
     for (std::int32_t dof = 0; dof < flow_.velocity_space().num_dofs(); ++dof) {
-      Point point = {0, 0, 0};
+      fem::Point point = {0, 0, 0};
       for (int k = 0; k < d; ++k) point[k] = points[static_cast<std::size_t>(dof) * d + k];
       for (int k = 0; k < d; ++k) {
         state.displacement.at(dof)[k] = displacement(point)[k];
@@ -87,14 +87,14 @@ MonitorSettings flux_of(const std::string& group, bool mirrored = false) {
   return settings;
 }
 
-MonitorSettings at(MonitorKind kind, const Point& position, const Point& other = {0, 0, 0}) {
+MonitorSettings at(MonitorKind kind, const fem::Point& position, const fem::Point& other = {0, 0, 0}) {
   MonitorSettings settings = monitor_of(kind, "point");
   settings.position = position;
   settings.other = other;
   return settings;
 }
 
-const Vector rest = [](const Point&) { return Point{0, 0, 0}; };
+const Vector rest = [](const fem::Point&) { return fem::Point{0, 0, 0}; };
 constexpr fsi::Elements both_elements[] = {fsi::Elements::p1p1, fsi::Elements::p2p1};
 
 }  // namespace
@@ -114,11 +114,11 @@ TEST_CASE("gap and flux are taken where the mesh is now, the same on every rank"
       Watched watched(d, elements);
       // x -> x, y -> 0.9 y - 0.05 x; velocity (1 + Y, -3, 2)
       watched.set(
-          [](const Point& x) {
-            return Point{0, -0.1 * x[1] - 0.05 * x[0], 0};
+          [](const fem::Point& x) {
+            return fem::Point{0, -0.1 * x[1] - 0.05 * x[0], 0};
           },
-          [](const Point& x) {
-            return Point{1 + x[1], -3, 2};
+          [](const fem::Point& x) {
+            return fem::Point{1 + x[1], -3, 2};
           });
       const std::vector<double> values = watched.values({gap_of("top", 1, 0.25), gap_of("top", 1, 0.25, true),
                                                          flux_of("right"), flux_of("left", true), flux_of("bottom")});
@@ -137,8 +137,8 @@ TEST_CASE("the flux out of a bent box of degree 2 is what its divergence says") 
   for (const int d : {2, 3}) {
     Watched watched(d, fsi::Elements::p2p1);
     // The volume stays, for the determinant is 1; the velocity is the present position, its divergence d.
-    const auto bend = [](const Point& x) { return Point{0, 0.1 * x[0] * x[0], 0}; };
-    watched.set(bend, [&](const Point& x) { return Point{x[0], x[1] + bend(x)[1], x[2]}; });
+    const auto bend = [](const fem::Point& x) { return fem::Point{0, 0.1 * x[0] * x[0], 0}; };
+    watched.set(bend, [&](const fem::Point& x) { return fem::Point{x[0], x[1] + bend(x)[1], x[2]}; });
     std::vector<MonitorSettings> sides = {flux_of("left"), flux_of("right"), flux_of("bottom"), flux_of("top")};
     if (d == 3) sides.insert(sides.end(), {flux_of("front"), flux_of("back")});
     double total = 0;
@@ -152,13 +152,13 @@ TEST_CASE("the displacement of a point is that of its cell's polynomial") {
     for (const fsi::Elements elements : both_elements) {
       Watched watched(d, elements);
       const bool quadratic = elements == fsi::Elements::p2p1;
-      const Vector displacement = [&](const Point& x) {
-        return Point{0.1 * x[1], quadratic ? 0.05 * x[0] * x[1] - 0.1 * x[2] * x[2] : 0.2 * x[0], 0.1 * x[0]};
+      const Vector displacement = [&](const fem::Point& x) {
+        return fem::Point{0.1 * x[1], quadratic ? 0.05 * x[0] * x[1] - 0.1 * x[2] * x[2] : 0.2 * x[0], 0.1 * x[0]};
       };
       watched.set(displacement, rest);
       // In a cell, on the interface, in a corner
-      for (const Point& point : {Point{0.37, 0.41, 0.13}, Point{1, 0.5, 0.2}, Point{2, 1, 0.5}}) {
-        Point here = point;
+      for (const fem::Point& point : {fem::Point{0.37, 0.41, 0.13}, fem::Point{1, 0.5, 0.2}, fem::Point{2, 1, 0.5}}) {
+        fem::Point here = point;
         if (d == 2) here[2] = 0;
         const std::vector<double> values = watched.values({at(MonitorKind::displacement, here)});
         REQUIRE_ON_ALL_RANKS(values.size() == static_cast<std::size_t>(d));
@@ -171,7 +171,7 @@ TEST_CASE("the displacement of a point is that of its cell's polynomial") {
 TEST_CASE("pressures are the fluid's, at points that move with the mesh") {
   for (const fsi::Elements elements : both_elements) {
     Watched watched(2, elements);
-    watched.set([](const Point& x) { return Point{0.3 * x[0], 0.1 * x[1], 0}; }, rest);
+    watched.set([](const fem::Point& x) { return fem::Point{0.3 * x[0], 0.1 * x[1], 0}; }, rest);
     MonitorSettings fall = at(MonitorKind::pressure_difference, {0.9, 0.2, 0}, {0.1, 0.7, 0});
     fall.name = "fall";
     const std::vector<double> values = watched.values({at(MonitorKind::pressure, {1, 0.5, 0}), fall});
@@ -184,7 +184,7 @@ TEST_CASE("pressures are the fluid's, at points that move with the mesh") {
 TEST_CASE("a flux across a line ends where the solid begins") {
   for (const fsi::Elements elements : both_elements) {
     Watched watched(2, elements);
-    watched.set(rest, [](const Point& x) { return Point{0, 1 + x[0], 0}; });
+    watched.set(rest, [](const fem::Point& x) { return fem::Point{0, 1 + x[0], 0}; });
     MonitorSettings line = monitor_of(MonitorKind::flux, "across");
     line.from = {1.5, 0.4, 0};
     line.to = {-0.5, 0.4, 0};
@@ -200,7 +200,7 @@ TEST_CASE("the gap is a distance, on either side of the plane") {
 }
 
 TEST_CASE("a force has the components of the fluid's reaction, or is a coefficient") {
-  auto scene = test::box_scene({2, 1, 0}, {4, 3, 0}, [](const Point&) { return RegionKind::fluid; });
+  auto scene = test::box_scene({2, 1, 0}, {4, 3, 0}, [](const fem::Point&) { return RegionKind::fluid; });
   for (const fsi::Elements elements : both_elements) {
     fsi::FlowSettings settings;
     settings.elements = elements;
@@ -239,7 +239,7 @@ TEST_CASE("the balance integrates a power by the trapezoidal rule from rest on")
 }
 
 TEST_CASE("the energies of a bar that falls and swings balance, the better the smaller the step") {
-  auto scene = test::box_scene({2, 1, 0}, {4, 2, 0}, [](const Point&) { return RegionKind::solid; });
+  auto scene = test::box_scene({2, 1, 0}, {4, 2, 0}, [](const fem::Point&) { return RegionKind::solid; });
   fsi::FlowSettings settings;
   settings.elements = fsi::Elements::p2p1;
   settings.solids = {{.region = "solid", .density = 1000, .young_modulus = 1e6, .damping = 200}};

@@ -35,7 +35,8 @@ struct Bulge {
 
 TEST_CASE("a point in the bulge of a curved boundary is found inside its cell") {
   const Bulge bulge;
-  for (const Point& point : {Point{0.625, -0.0199, 0}, Point{0.1, -0.01, 0}, Point{0.3, 0.6, 0}, Point{1, 1, 0}}) {
+  for (const fem::Point& point :
+       {fem::Point{0.625, -0.0199, 0}, fem::Point{0.1, -0.01, 0}, fem::Point{0.3, 0.6, 0}, fem::Point{1, 1, 0}}) {
     const Probe probe = find_probe(bulge.space, bulge.points, point, bulge.everywhere);
     REQUIRE_ON_ALL_RANKS(probe.rank >= 0);
     if (base::rank(MPI_COMM_WORLD) == probe.rank) {

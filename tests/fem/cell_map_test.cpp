@@ -1,10 +1,10 @@
-#include "coupling/monitors/cell_map.hpp"
+#include "core/fem/cell_map.hpp"
 
 #include "core/mesh/generate.hpp"
 #include "tests/all_ranks.hpp"
 
 using namespace vocalis;
-using namespace vocalis::coupling;
+using namespace vocalis::fem;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "core/fem/field.hpp"
 #include "core/mesh/facets.hpp"
 
-namespace vocalis::coupling {
+namespace vocalis::fem {
 
 /// The facets of a group, each once: those of the boundary, and of those inside the mesh the side whose normal points
 /// towards larger x (or y if it has no x, then z) in the reference.
@@ -17,12 +17,11 @@ std::vector<mesh::NamedFacet> facets_seen_once(const mesh::Mesh& mesh, const std
 /// area vector is a polynomial. Collective.
 ///
 /// points  (dofs, dimension) [m] where the dofs of the velocity's space are now
-double flux_through(const fem::Field& velocity, std::span<const double> points,
-                    const std::vector<mesh::NamedFacet>& facets);
+double flux_through(const Field& velocity, std::span<const double> points, const std::vector<mesh::NamedFacet>& facets);
 
 /// The smallest distance of the facets' vertices (and middles of edges, in a space of degree 2) from the plane where
 /// coordinate `axis` is `plane` [m]. Collective.
-double gap_to_plane(const fem::Space& space, std::span<const double> points,
-                    const std::vector<mesh::NamedFacet>& facets, int axis, double plane);
+double gap_to_plane(const Space& space, std::span<const double> points, const std::vector<mesh::NamedFacet>& facets,
+                    int axis, double plane);
 
-}  // namespace vocalis::coupling
+}  // namespace vocalis::fem

@@ -1,14 +1,14 @@
-#include "coupling/monitors/on_facets.hpp"
+#include "core/fem/facet_integrals.hpp"
 
 #include <algorithm>
 #include <functional>
 
+#include "core/fem/cell_map.hpp"
 #include "core/mesh/generate.hpp"
-#include "coupling/monitors/cell_map.hpp"
 #include "tests/all_ranks.hpp"
 
 using namespace vocalis;
-using namespace vocalis::coupling;
+using namespace vocalis::fem;
 
 namespace {
 

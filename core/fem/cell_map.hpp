@@ -6,7 +6,7 @@
 
 #include "core/fem/field.hpp"
 
-namespace vocalis::coupling {
+namespace vocalis::fem {
 
 using Point = std::array<double, 3>;        ///< [m]; the first `dimension` count
 using Barycentric = std::array<double, 4>;  ///< the first dimension + 1 count
@@ -16,7 +16,7 @@ using Barycentric = std::array<double, 4>;  ///< the first dimension + 1 count
 class CellMap {
  public:
   /// points  (dofs, dimension) [m] of all dofs of the space
-  CellMap(const fem::Space& space, std::span<const double> points, std::int32_t cell);
+  CellMap(const Space& space, std::span<const double> points, std::int32_t cell);
 
   Point at(const Barycentric& coordinates) const;
   /// ∂x/∂λ_i, one vector a corner.
@@ -31,6 +31,6 @@ class CellMap {
 };
 
 /// The value of one component of a field in a cell where it has unknowns.
-double value_in(const fem::Field& field, std::int32_t cell, const Barycentric& coordinates, int component);
+double value_in(const Field& field, std::int32_t cell, const Barycentric& coordinates, int component);
 
-}  // namespace vocalis::coupling
+}  // namespace vocalis::fem

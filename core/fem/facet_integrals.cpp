@@ -1,15 +1,15 @@
-#include "coupling/monitors/on_facets.hpp"
+#include "core/fem/facet_integrals.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/mpi.hpp"
+#include "core/fem/cell_map.hpp"
 #include "core/fem/simplex.hpp"
 #include "core/mesh/geometry.hpp"
-#include "coupling/monitors/cell_map.hpp"
 
-namespace vocalis::coupling {
+namespace vocalis::fem {
 
 namespace {
 
@@ -63,12 +63,12 @@ std::vector<mesh::NamedFacet> facets_seen_once(const mesh::Mesh& mesh, const std
   return facets;
 }
 
-double flux_through(const fem::Field& velocity, std::span<const double> points,
+double flux_through(const Field& velocity, std::span<const double> points,
                     const std::vector<mesh::NamedFacet>& facets) {
   constexpr int degree = 4;  // of v·n ds on a curved face of a tetrahedron
-  const fem::Space& space = *velocity.space;
+  const Space& space = *velocity.space;
   const int d = space.mesh->dimension;
-  const fem::QuadratureRule& rule = fem::quadrature(d - 1, degree);
+  const QuadratureRule& rule = quadrature(d - 1, degree);
   double sum = 0;
   for (const mesh::NamedFacet& facet : facets) {
     const CellMap map(space, points, facet.cell);
@@ -83,8 +83,8 @@ double flux_through(const fem::Field& velocity, std::span<const double> points,
   return base::sum(space.mesh->comm, sum);
 }
 
-double gap_to_plane(const fem::Space& space, std::span<const double> points,
-                    const std::vector<mesh::NamedFacet>& facets, int axis, double plane) {
+double gap_to_plane(const Space& space, std::span<const double> points, const std::vector<mesh::NamedFacet>& facets,
+                    int axis, double plane) {
   const int d = space.mesh->dimension;
   const auto edges = mesh::edges_of_cell(d);
   double smallest = std::numeric_limits<double>::infinity();
@@ -101,4 +101,4 @@ double gap_to_plane(const fem::Space& space, std::span<const double> points,
   return base::smallest(space.mesh->comm, smallest);
 }
 
-}  // namespace vocalis::coupling
+}  // namespace vocalis::fem

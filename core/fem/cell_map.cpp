@@ -1,11 +1,11 @@
-#include "coupling/monitors/cell_map.hpp"
+#include "core/fem/cell_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/fem/simplex.hpp"
 
-namespace vocalis::coupling {
+namespace vocalis::fem {
 
 namespace {
 
@@ -31,7 +31,7 @@ Point solve(const Matrix& rows, const Point& right, int d) {
 
 }  // namespace
 
-CellMap::CellMap(const fem::Space& space, std::span<const double> points, std::int32_t cell)
+CellMap::CellMap(const Space& space, std::span<const double> points, std::int32_t cell)
     : dimension_(space.mesh->dimension), degree_(space.degree), nodes_(space.dofs_per_cell), points_{} {
   const auto dofs = space.dofs_of(cell);
   for (int i = 0; i < nodes_; ++i) {
@@ -91,8 +91,8 @@ std::optional<Barycentric> CellMap::coordinates_of(const Point& point) const {
   return {};
 }
 
-double value_in(const fem::Field& field, std::int32_t cell, const Barycentric& coordinates, int component) {
-  const fem::Space& space = *field.space;
+double value_in(const Field& field, std::int32_t cell, const Barycentric& coordinates, int component) {
+  const Space& space = *field.space;
   std::array<double, 10> basis;
   fem::basis_values(space.mesh->dimension, space.degree, coordinates,
                     {basis.data(), static_cast<std::size_t>(space.dofs_per_cell)});
@@ -102,4 +102,4 @@ double value_in(const fem::Field& field, std::int32_t cell, const Barycentric& c
   return result;
 }
 
-}  // namespace vocalis::coupling
+}  // namespace vocalis::fem
