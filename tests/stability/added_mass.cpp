@@ -98,7 +98,7 @@ TEST_CASE("added mass makes a loosely coupled scheme unstable at every step, fro
   }
 }
 
-TEST_CASE("solving fluid and solid together is stable at every ratio of their densities") {
+TEST_CASE("solving fluid and solid together is stable at every ratio of their densities", "[serial]") {
   const AddedMass added_mass(channel, 50, 10);
   for (const double ratio : {1000.0, 100.0, 10.0, 1.0, 0.1}) {
     const Growth loose = loosely_coupled(channel, added_mass, ratio * channel.fluid_density, 1e-5, 60);

@@ -75,7 +75,8 @@ TEST_CASE("a vortex that leaves by an outlet brings energy in without backflow s
   }
 }
 
-TEST_CASE("what is sucked in through a given pressure gains energy, through a given total pressure it does not") {
+TEST_CASE("what is sucked in through a given pressure gains energy, through a given total pressure it does not",
+          "[serial]") {
   for (const Elements elements : {Elements::p1p1, Elements::p2p1}) {
     const Vortex vortex = {.mean = -1, .swirl = 2};
     const Course pressure = run_vortex(vortex, elements, FlowBoundaryKind::pressure, 0.5);

@@ -92,7 +92,8 @@ TEST_CASE("P2P1 does not converge at a layer at high Reynolds number without str
   CHECK(stabilised.far_away < 0.05);
 }
 
-TEST_CASE("smooth vortices gain from streamline stabilisation of P2P1 at high Reynolds numbers and lose little else") {
+TEST_CASE("smooth vortices gain from streamline stabilisation of P2P1 at high Reynolds numbers and lose little else",
+          "[serial]") {
   for (const double viscosity : {1e-3, 1e-5}) {
     const double bare = error_of_vortices(Elements::p2p1, false, viscosity);
     const double stabilised = error_of_vortices(Elements::p2p1, true, viscosity);

@@ -97,7 +97,7 @@ TEST_CASE("the pressure after rough initial values rings with theta = 1/2, not w
   check_that_it_rings(of_pressure);
 }
 
-TEST_CASE("a stiff solid that is struck rings with theta = 1/2, not with theta = 1/2 + dt or BDF2") {
+TEST_CASE("a stiff solid that is struck rings with theta = 1/2, not with theta = 1/2 + dt or BDF2", "[serial]") {
   check_that_it_rings(of_stiff_solid);
 }
 

@@ -126,7 +126,7 @@ TEST_CASE("a mesh that is smoothed from its reference comes back in every period
   }
 }
 
-TEST_CASE("the mesh around a block that swings in a fluid comes back in every period") {
+TEST_CASE("the mesh around a block that swings in a fluid comes back in every period", "[serial]") {
   for (const Smoother smoother : {Smoother::linear, Smoother::nonlinear}) {
     const std::vector<double> qualities = qualities_in_flow(smoother, 6);
     INFO("qualities after periods" << listed(qualities));
