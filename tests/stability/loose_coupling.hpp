@@ -112,7 +112,7 @@ struct Growth {
 
 /// First solid, then fluid: leapfrog for ρs hs η'' + a η = p with the pressure of the step before, and backward Euler
 /// for the fluid, p = -ρ M (η - 2 η₋ + η₋₋) / dt². Unstable at every dt where ρs hs < ρ µ_max, with ρ µ_max / (ρs hs)
-/// as dt → 0. Source: Causin, Gerbeau, Nobile 2005, Comput. Methods Appl. Mech. Eng. 194, 4506, section 3.
+/// as dt → 0. Source: Causin, Gerbeau, Nobile 2005, Comput. Methods Appl. Mech. Eng. 194, 4506.
 inline Growth loosely_coupled(const Channel& channel, const AddedMass& added_mass, double solid_density, double dt,
                               int steps) {
   const int points = added_mass.points();
