@@ -36,6 +36,10 @@ void make_gathered_solver(KSP solver, const std::string& prefix, Reuse reuse) {
     base::check(PCFactorSetMatSolverType(preconditioner, package));
     if (reuse == Reuse::many_solves) base::check(PCFactorSetMatOrderingType(preconditioner, MATORDERINGND));
   }
+  // MUMPS foresees too little memory where pivots move (error -9): twice as much.
+  if (reuse == Reuse::few_solves) {
+    set_default_option("-" + prefix + (ranks > 1 ? "telescope_" : "") + "mat_mumps_icntl_14", "100");
+  }
   base::check(KSPSetFromOptions(solver));
 }
 

@@ -17,6 +17,9 @@ constexpr std::size_t trial = 3;
 constexpr double far_away = 0.15;
 /// Secants kept with one Jacobian: each costs a product of vectors an iteration.
 constexpr int most_secants = 40;
+/// SNES would end on the one rank that knows that the gathered solver has failed, and leave the others waiting: it
+/// never counts to this, `improve` and `test` tell all of them.
+constexpr PetscInt most_linear_failures = 1000000;
 /// Beyond this growth of the error the step is given up.
 constexpr double hopeless = 1e6;
 
@@ -43,6 +46,7 @@ Newton::Newton(Assembly& assembly, double tolerance, int largest_iterations, bas
   base::check(SNESSetConvergenceTest(snes, test, this, nullptr));
   base::check(SNESSetTolerances(snes, 0, 0, 0, largest_iterations, 100000));
   base::check(SNESSetCheckJacobianDomainError(snes, PETSC_FALSE));
+  base::check(SNESSetMaxLinearSolveFailures(snes, most_linear_failures));
   KSP linear = nullptr;
   base::check(SNESGetKSP(snes, &linear));
   make_gathered_solver(linear, "flow_", Reuse::few_solves);
@@ -93,7 +97,12 @@ PetscErrorCode Newton::jacobian(SNES snes, Vec, Mat, Mat, void* context) {
 PetscErrorCode Newton::improve(SNESLineSearch, Vec, Vec change, PetscBool* changed, void* context) {
   Newton& self = *static_cast<Newton*>(context);
   try {
-    if (self.errors_.back() > far_away) {
+    PetscReal size = 0;
+    base::check(VecNorm(change, NORM_2, &size));
+    self.has_step_ = std::isfinite(size);
+    if (!self.has_step_) {
+      base::check(VecZeroEntries(change));
+    } else if (self.errors_.back() > far_away) {
       self.secants_.begin_solve();
     } else {
       self.secants_.improve(change);
@@ -111,7 +120,9 @@ PetscErrorCode Newton::test(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNE
   Newton& self = *static_cast<Newton*>(context);
   self.errors_.push_back(self.size_.error);
   *reason = SNES_CONVERGED_ITERATING;
-  if (self.size_.inverted || !std::isfinite(self.size_.error)) {
+  if (!self.has_step_) {
+    *reason = SNES_DIVERGED_LINEAR_SOLVE;
+  } else if (self.size_.inverted || !std::isfinite(self.size_.error)) {
     *reason = SNES_DIVERGED_FUNCTION_DOMAIN;
   } else if (self.size_.error <= self.tolerance_) {
     *reason = SNES_CONVERGED_FNORM_RELATIVE;
@@ -139,6 +150,7 @@ NewtonReport Newton::attempt(const State& state, const Stage& stage) {
   errors_.clear();
   secants_.begin_solve();
   failure_ = nullptr;
+  has_step_ = true;
   {
     const auto scope = timers_.scope("flow.assemble");
     assembly_.begin_step(state, stage, unknowns_.get());

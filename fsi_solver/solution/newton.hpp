@@ -49,6 +49,7 @@ class Newton {
   la::PetscVector unknowns_, result_;
   Secants secants_;
   bool has_jacobian_ = false;
+  bool has_step_ = true;  ///< the last linear solve of this solve gave one
   Stage jacobian_stage_;
   int jacobians_ = 0;
   std::size_t last_renewal_ = 0;  ///< number of errors that were known when the Jacobian was renewed in this solve

@@ -91,7 +91,7 @@ TEST_CASE("P1P1 does not see a checkerboard of pressures, unless it is stabilise
   CHECK(quadratic > 0.1);
 }
 
-TEST_CASE("a step with P1P1 and no stabilisation fails with a reason", "[serial]") {
+TEST_CASE("a step with P1P1 and no stabilisation fails with a reason") {
   const Answer bare = solve(Elements::p1p1, false);
   INFO(bare.report.reason);
   CHECK_FALSE(bare.report.converged);
