@@ -9,7 +9,6 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
-#include "core/mesh/facets.hpp"
 #include "coupling/figures.hpp"
 
 namespace vocalis::coupling {
