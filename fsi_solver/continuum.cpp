@@ -59,7 +59,6 @@ Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings) {
     in_fluid[cell] = solid < 0;
     label[cell] = result.has_pressure(cell) ? solid + 1 : -1;
   }
-  result.vertex_in_fluid = mesh::mark_vertices_of_cells(mesh, in_fluid);
   result.vertex_solid.assign(mesh.num_vertices(), Continuum::fluid);
   for (std::size_t i = 0; i < settings.solids.size(); ++i) {
     std::vector<std::int32_t> inside(cells);

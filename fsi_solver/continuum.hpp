@@ -18,19 +18,18 @@ struct Continuum {
 
   const mesh::Mesh* mesh = nullptr;
   std::vector<SolidMaterial> solids;
-  std::vector<Elasticity> elasticity;         ///< of each solid
-  std::vector<std::int32_t> cell_solid;       ///< (owned cells) index in `solids`, or `fluid`
-  std::vector<std::int32_t> vertex_solid;     ///< (vertices) the last of the solids that have this vertex, or `fluid`
-  std::vector<std::int32_t> vertex_in_fluid;  ///< (vertices) whether a fluid cell has it, on any rank
-  bool has_fluid = false;                     ///< on any rank
-  bool has_solid = false;                     ///< on any rank
-  fem::Space vertex_space;                    ///< P1 on all cells; its dofs are the vertices
-  fem::Space velocity_space;                  ///< P1 or P2 on all cells
-  fem::Space pressure_space;                  ///< P1; label 0 in the fluid, 1 + i in an incompressible solid i
-  std::vector<std::int32_t> dof_solid;        ///< (velocity dofs) the last of the solids that have it, or `fluid`
-  std::vector<std::int32_t> vertex_to_dof;    ///< (vertices) dof of the velocity there
-  std::vector<double> reference_points;       ///< (velocity dofs, dimension) [m], on the true curve of a boundary
-  CellBatches batches;                        ///< of all owned cells
+  std::vector<Elasticity> elasticity;       ///< of each solid
+  std::vector<std::int32_t> cell_solid;     ///< (owned cells) index in `solids`, or `fluid`
+  std::vector<std::int32_t> vertex_solid;   ///< (vertices) the last of the solids that have this vertex, or `fluid`
+  bool has_fluid = false;                   ///< on any rank
+  bool has_solid = false;                   ///< on any rank
+  fem::Space vertex_space;                  ///< P1 on all cells; its dofs are the vertices
+  fem::Space velocity_space;                ///< P1 or P2 on all cells
+  fem::Space pressure_space;                ///< P1; label 0 in the fluid, 1 + i in an incompressible solid i
+  std::vector<std::int32_t> dof_solid;      ///< (velocity dofs) the last of the solids that have it, or `fluid`
+  std::vector<std::int32_t> vertex_to_dof;  ///< (vertices) dof of the velocity there
+  std::vector<double> reference_points;     ///< (velocity dofs, dimension) [m], on the true curve of a boundary
+  CellBatches batches;                      ///< of all owned cells
 
   int labels() const { return 1 + static_cast<int>(solids.size()); }
   bool has_pressure(std::int32_t cell) const { return cell_solid[cell] < 0 || solids[cell_solid[cell]].incompressible; }

@@ -68,11 +68,9 @@ PetscErrorCode Newton::residual(SNES snes, Vec unknowns, Vec result, void* conte
   }
 }
 
-PetscErrorCode Newton::jacobian(SNES snes, Vec, Mat, Mat, void* context) {
+PetscErrorCode Newton::jacobian(SNES, Vec, Mat, Mat, void* context) {
   Newton& self = *static_cast<Newton*>(context);
   try {
-    KSP linear = nullptr;
-    base::check(SNESGetKSP(snes, &linear));
     const std::size_t n = self.errors_.size();
     bool renew = !self.has_jacobian_ || self.errors_.back() > far_away;
     if (n >= 2) {

@@ -42,7 +42,8 @@ void StageFields::begin_step(const State& state, const Stage& stage, Vec unknown
     layout_.copy_owned_to_system(0, velocity_.values, values.data());
     layout_.copy_owned_to_system(1, state.pressure.values, values.data());
   }
-  if (motion_) motion_->begin_step(at_vertices(continuum_, state.displacement));
+  if (motion_ && settings_.smoother == Smoother::nonlinear)
+    motion_->begin_step(at_vertices(continuum_, state.displacement));
   if (!moves_ || settings_.geometry == Geometry::implicit) return;
   for (std::size_t i = 0; i < velocity_.values.size(); ++i) {
     stage_velocity_[i] = stage_.at_stage(velocity_.values[i], state.velocity.values[i]);
