@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "acoustic_solver/pressure_system.hpp"
+#include "acoustic_solver/implicit_step.hpp"
 #include "acoustic_solver/wave_operator.hpp"
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
@@ -15,12 +15,6 @@
 namespace vocalis::acoustic {
 
 namespace {
-
-constexpr std::size_t kEarlierPressures = 3;
-constexpr int kLargestPasses = 30;
-// A pass leaves an error |β| dt / h times as large as it finds: a change so much above the solver's tolerance is
-// enough.
-constexpr double kPassTolerance = 100;
 
 void check(const AcousticSettings& settings) {
   const auto positive = [&](double value, const char* name) {
@@ -38,49 +32,16 @@ void check(const AcousticSettings& settings) {
   }
 }
 
-/// The increment of p expected from the increments of the sub-steps before: the polynomial through them.
-std::vector<double> extrapolated_increment(const State& state) {
-  std::vector<double> guess(state.p.size(), 0.0);
-  const auto& earlier = state.earlier;
-  const auto add = [&guess](double factor, const std::vector<double>& values) {
-    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += factor * values[i];
-  };
-  if (earlier.size() == 1) {
-    add(1, state.p), add(-1, earlier[0]);
-  } else if (earlier.size() == 2) {
-    add(2, state.p), add(-3, earlier[0]), add(1, earlier[1]);
-  } else if (earlier.size() >= 3) {
-    add(3, state.p), add(-6, earlier[0]), add(4, earlier[1]), add(-1, earlier[2]);
-  }
-  return guess;
-}
-
 }  // namespace
 
 struct AcousticSolver::Discretisation {
   Discretisation(const mesh::Mesh& on, const AcousticSettings& settings)
-      : mesh(&on),
-        space(fem::lagrange(on, 1)),
-        wave(on, space, settings),
-        system(on, space, wave.released(), settings.solver_tolerance) {}
-
-  double norm(const std::vector<double>& owned_values) const {
-    double square = 0;
-    for (std::int32_t i = 0; i < space.dofs.num_owned; ++i) square += owned_values[i] * owned_values[i];
-    return std::sqrt(base::sum(mesh->comm, square));
-  }
+      : mesh(&on), space(fem::lagrange(on, 1)), wave(on, space, settings), integrator(on, space, wave, settings) {}
 
   const mesh::Mesh* mesh;
   fem::Space space;
   WaveOperator wave;
-  PressureSystem system;
-};
-
-struct AcousticSolver::SubStep {
-  double dt = 0;  ///< [s]
-  bool moves = false;
-  std::vector<double> load;  ///< (Q, q) at the θ-point, at the owners
-  double flux = 0;           ///< g at the θ-point [m/s]
+  ImplicitStep integrator;
 };
 
 AcousticSolver::AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& settings) : settings_(settings) {
@@ -100,7 +61,7 @@ void AcousticSolver::set_state(State state) {
   drop_caches();
 }
 
-void AcousticSolver::drop_caches() { discretisation_->system.drop(); }
+void AcousticSolver::drop_caches() { discretisation_->integrator.drop(); }
 
 void AcousticSolver::adopt(const mesh::Mesh& mesh, State carried) {
   discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
@@ -121,7 +82,7 @@ double AcousticSolver::energy() const { return discretisation_->wave.energy(stat
 AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Source& source,
                                       const std::function<void(double)>& on_substep) {
   assert(dt > 0 && motion.begin.size() == motion.end.size() && !source.begin == !source.end);
-  auto& [mesh, space, wave, system] = *discretisation_;
+  auto& [mesh, space, wave, integrator] = *discretisation_;
   const std::size_t num_coordinates = mesh->coordinates.size();
   std::vector<double> middle(num_coordinates), velocity;
   bool moves = !motion.begin.empty() && !std::equal(motion.begin.begin(), motion.begin.end(), motion.end.begin());
@@ -132,12 +93,12 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   } else {
     const auto still = motion.begin.empty() ? std::span<const double>(mesh->coordinates) : motion.begin;
     const auto changed = static_cast<std::int32_t>(wave.set_geometry(still));
-    if (base::largest(mesh->comm, changed) > 0) system.drop();
+    if (base::largest(mesh->comm, changed) > 0) integrator.drop();
   }
   wave.set_velocity(velocity);
 
   const int count = std::max(1, static_cast<int>(std::ceil(dt / settings_.step * (1 - 1e-9))));
-  const double theta = settings_.theta;
+  const double theta = integrator.load_at();
   const double start = state_.time;
   AdvanceReport report;
   SubStep step;
@@ -152,8 +113,6 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
       }
       wave.set_geometry(middle);
     }
-    const double a = 1 / (theta * step.dt), b = theta * step.dt / settings_.density;
-    if (moves || !system.is_assembled(a, b)) system.assemble(wave, a, b);
     step.load.assign(mesh->num_vertices(), 0.0);
     if (source.begin) {
       for (std::int32_t v = 0; v < space.dofs.num_owned; ++v) {
@@ -163,82 +122,12 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
     if (source.flux) {
       step.flux = (1 - theta) * source.flux(start + s * step.dt) + theta * source.flux(start + (s + 1) * step.dt);
     }
-    if (!advance_sub_step(step, report)) return report;
+    if (!integrator.advance(step, state_, report)) return report;
     state_.time = s + 1 == count ? start + dt : start + (s + 1) * step.dt;
     ++report.sub_steps;
     if (on_substep) on_substep(state_.time);
   }
   return report;
-}
-
-bool AcousticSolver::advance_sub_step(const SubStep& step, AdvanceReport& report) {
-  // Unknown: δ = p_θ - p at the θ-point, where ψ_θ = ψ + θ dt (p_θ / ρ + β·∇ψ_θ). With it the mass of p drops out:
-  //   (mass / (θ dt) + admittance + b stiffness) δ = load - admittance p - stiffness (ψ + b p) + terms with β.
-  auto& [mesh, space, wave, system] = *discretisation_;
-  const double theta = settings_.theta;
-  const double b = theta * step.dt / settings_.density;
-  const std::size_t num_vertices = state_.p.size();
-  std::vector<double> fixed(num_vertices, 0.0), potential(num_vertices);
-  for (std::size_t v = 0; v < num_vertices; ++v) potential[v] = state_.psi[v] + b * state_.p[v];
-  wave.add_flux(step.flux, fixed);
-  wave.add_admittance(-1, state_.p, fixed);
-  wave.add_stiffness(-1, potential, fixed);
-  space.halo.add_to_owners(fixed);
-  for (std::size_t v = 0; v < num_vertices; ++v) fixed[v] += step.load[v];
-
-  std::vector<double> increment = extrapolated_increment(state_);
-  for (double& value : increment) value *= theta;
-  std::vector<double> right_hand_side = fixed, convection(num_vertices, 0.0), difference, middle_pressure, scaled;
-  const auto update_convection = [&] {
-    middle_pressure = state_.p;
-    for (std::size_t v = 0; v < num_vertices; ++v) {
-      middle_pressure[v] += increment[v];
-      potential[v] = state_.psi[v] + b * middle_pressure[v] + theta * step.dt * convection[v];
-    }
-    wave.potential_convection(potential, middle_pressure, convection);
-  };
-  if (step.moves) update_convection();
-  for (int pass = 0;; ++pass) {
-    if (step.moves) {
-      scaled = convection;
-      for (double& value : scaled) value *= theta * step.dt;
-      std::vector<double> terms(num_vertices, 0.0);
-      wave.add_convection(middle_pressure, terms);
-      wave.add_stiffness(-1, scaled, terms);
-      space.halo.add_to_owners(terms);
-      difference = right_hand_side;
-      for (std::size_t v = 0; v < num_vertices; ++v) right_hand_side[v] = fixed[v] + terms[v];
-      for (std::size_t v = 0; v < num_vertices; ++v) difference[v] -= right_hand_side[v];
-      for (const std::int32_t v : wave.released()) difference[v] = 0;
-      const double tolerance = kPassTolerance * settings_.solver_tolerance;
-      if (pass > 0 && discretisation_->norm(difference) <= tolerance * discretisation_->norm(right_hand_side)) break;
-      if (pass == kLargestPasses) {
-        report.converged = false;
-        report.reason = fmt::format("the terms of the mesh's motion did not converge in {} passes", kLargestPasses);
-        return false;
-      }
-    }
-    const la::SolveReport solved = system.solve(right_hand_side, increment);
-    report.linear_iterations += solved.iterations;
-    ++report.passes;
-    if (!solved.converged) {
-      report.converged = false;
-      report.reason = "pressure system: " + solved.reason;
-      return false;
-    }
-    space.halo.copy_to_ghosts(increment);
-    if (!step.moves) break;
-    update_convection();
-  }
-
-  auto& earlier = state_.earlier;
-  if (earlier.size() == kEarlierPressures) earlier.pop_back();
-  earlier.insert(earlier.begin(), state_.p);
-  for (std::size_t v = 0; v < num_vertices; ++v) {
-    state_.psi[v] += step.dt * ((state_.p[v] + increment[v]) / settings_.density + convection[v]);
-    state_.p[v] += increment[v] / theta;
-  }
-  return true;
 }
 
 }  // namespace vocalis::acoustic

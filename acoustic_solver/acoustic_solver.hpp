@@ -7,18 +7,11 @@
 #include <vector>
 
 #include "acoustic_solver/settings.hpp"
+#include "acoustic_solver/state.hpp"
 #include "core/fem/field.hpp"
 #include "core/fem/space.hpp"
 
 namespace vocalis::acoustic {
-
-/// All that a later step depends on: a checkpoint of the acoustics is this. One number a local vertex, ghosts current.
-struct State {
-  double time = 0;                           ///< [s]
-  std::vector<double> p;                     ///< acoustic pressure [Pa]
-  std::vector<double> psi;                   ///< velocity potential [m^2/s], u = -∇ψ
-  std::vector<std::vector<double>> earlier;  ///< p one, two and three sub-steps ago: for the starting guess alone
-};
 
 /// How the vertices move during one `advance`: linearly in time, from begin to end. Both empty: the mesh stands still
 /// at its own coordinates. (vertices, dimension) [m], ghosts current.
@@ -31,14 +24,6 @@ struct Source {
   const fem::Load* begin = nullptr;    ///< at the beginning of the advance, summed to the owners [m^3/s;
   const fem::Load* end = nullptr;      ///< m^2/s in two dimensions]; linear in between. Both or none.
   std::function<double(double)> flux;  ///< g(t) [m/s] into the air through the boundaries of kind `flux`
-};
-
-struct AdvanceReport {
-  bool converged = true;  ///< else the state is that of the last sub-step that converged
-  int sub_steps = 0;
-  int linear_iterations = 0;  ///< over all sub-steps
-  int passes = 0;             ///< linear solves: one a sub-step where the mesh stands still
-  std::string reason;         ///< empty when converged
 };
 
 /// Sound on a mesh that may move: pressure p and velocity potential ψ (u = -∇ψ), both P1,
@@ -78,8 +63,6 @@ class AcousticSolver {
 
  private:
   struct Discretisation;
-  struct SubStep;
-  bool advance_sub_step(const SubStep& step, AdvanceReport& report);
 
   AcousticSettings settings_;
   std::unique_ptr<Discretisation> discretisation_;  ///< derived from the mesh and the settings

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "acoustic_solver/pressure_system.hpp"
+#include "acoustic_solver/state.hpp"
+#include "acoustic_solver/wave_operator.hpp"
+
+namespace vocalis::acoustic {
+
+/// The θ-scheme for pressure and potential, both at the same times, with ψ eliminated: one symmetric positive definite
+/// system a sub-step, whatever its length. The terms with β are iterated outside of it. docs/theory.md, "Time of
+/// sound".
+class ImplicitStep {
+ public:
+  /// All must outlive the integrator. Collective.
+  ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave,
+               const AcousticSettings& settings);
+
+  /// One sub-step of the state, ghosts current before and after; `wave` holds the geometry of its middle. False, with
+  /// the reason in the report, if the system was not solved: then the state is as before. Collective.
+  bool advance(const SubStep& step, State& state, AdvanceReport& report);
+
+  /// Where the load is wanted, as a part of the sub-step.
+  double load_at() const { return theta_; }
+  /// Forgets matrix and preconditioner.
+  void drop() { system_.drop(); }
+
+ private:
+  double norm(const std::vector<double>& owned_values) const;
+
+  const mesh::Mesh* mesh_;
+  const fem::Space* space_;
+  const WaveOperator* wave_;
+  double density_, theta_, tolerance_;
+  PressureSystem system_;
+};
+
+}  // namespace vocalis::acoustic

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vocalis::acoustic {
+
+/// All that a later step depends on: a checkpoint of the acoustics is this. One number a local vertex, ghosts current.
+struct State {
+  double time = 0;                           ///< [s]
+  std::vector<double> p;                     ///< acoustic pressure [Pa]
+  std::vector<double> psi;                   ///< velocity potential [m^2/s], u = -∇ψ
+  std::vector<std::vector<double>> earlier;  ///< p one, two and three sub-steps ago: for the starting guess alone
+};
+
+/// What an integrator is given for one sub-step.
+struct SubStep {
+  double dt = 0;             ///< [s]
+  bool moves = false;        ///< some vertex moves during it
+  std::vector<double> load;  ///< (Q, q) where the integrator wants it, at the owners [m^3/s; m^2/s in the plane]
+  double flux = 0;           ///< g there [m/s]
+};
+
+struct AdvanceReport {
+  bool converged = true;  ///< else the state is that of the last sub-step that converged
+  int sub_steps = 0;
+  int linear_iterations = 0;  ///< over all sub-steps
+  int passes = 0;             ///< linear solves: one a sub-step where the mesh stands still
+  std::string reason;         ///< empty when converged
+};
+
+}  // namespace vocalis::acoustic
