@@ -12,13 +12,15 @@
 DefineConstant[
   size = 1,                 // factor of all cell sizes: 1, 0.5, 0.25 are the levels of the studies
   h_cylinder = 0.008,       // [m] on the cylinder
-  h_flag = 0.014,           // [m] on the flag
-  h_tip = 0.0015,           // [m] at the two corners of the flag's tip
-  h_clamp = 0.0025,         // [m] at the two ends of the clamp
-  h_channel = 0.0265,        // [m] at most, as far as wake_end
-  h_outlet = 0.1 ,          // [m] at the outlet
-  wake_end = 0.8,           // [m]
-  growth = 0.4              // of the cell size by distance from cylinder, flag and corners
+  h_flag = 0.012,           // [m] on the flag
+  h_tip = 0.0004,           // [m] at the two corners of the flag's tip
+  h_clamp = 0.0008,         // [m] at the two ends of the clamp
+  h_wake = 0.016,           // [m] at most beside the flag and behind it, as far as wake_end
+  h_channel = 0.035,        // [m] at most above and below, as far as wake_end
+  h_outlet = 0.12,          // [m] at the outlet
+  wake_width = 0.16,        // [m]
+  wake_end = 0.75,          // [m]
+  growth = 0.5              // of the cell size by distance
 ];
 
 radius = 0.05;
@@ -96,9 +98,17 @@ Field[8].F = Sprintf("%g * (%g + %g * F4)", size, h_clamp, growth);
 Field[9] = MathEval;
 Field[9].F = Sprintf("%g * (%g + %g * (x - %g + Abs(x - %g)))", size, h_channel,
                      0.5 * (h_outlet - h_channel) / (2.5 - wake_end), wake_end, wake_end);
-Field[10] = Min;
-Field[10].FieldsList = {5, 6, 7, 8, 9};
-Background Field = 10;
+Field[10] = Box;
+Field[10].XMin = centre_x;
+Field[10].XMax = wake_end;
+Field[10].YMin = centre_y - wake_width / 2;
+Field[10].YMax = centre_y + wake_width / 2;
+Field[10].VIn = size * h_wake;
+Field[10].VOut = size * h_outlet;
+Field[10].Thickness = (h_outlet - h_wake) / growth;
+Field[11] = Min;
+Field[11].FieldsList = {5, 6, 7, 8, 9, 10};
+Background Field = 11;
 
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeFromPoints = 0;

@@ -1,7 +1,7 @@
 """What the balance of energy leaves over the last full period of runs of FSI3, and how it falls with the step.
 
-    ./vocalis study cases/turek_hron/fsi3_study.toml
-    tests/benchmarks/energy_over_a_period.py runs/studies/fsi3/points/*
+    ./vocalis study cases/turek_hron/fsi3_energy.toml
+    /usr/bin/python3 tests/benchmarks/energy_over_a_period.py runs/studies/fsi3_energy/points/*
 
 Over a period a limit cycle keeps its energy: what is supplied must be dissipated. What is not is lost to the time
 scheme.
