@@ -36,11 +36,16 @@ void check(const AcousticSettings& settings) {
 
 struct AcousticSolver::Discretisation {
   Discretisation(const mesh::Mesh& on, const AcousticSettings& settings)
-      : mesh(&on), space(fem::lagrange(on, 1)), wave(on, space, settings), integrator(on, space, wave, settings) {}
+      : mesh(&on),
+        space(fem::lagrange(on, 1)),
+        wave(on, space, settings),
+        layers(on, settings),
+        integrator(on, space, wave, layers, settings) {}
 
   const mesh::Mesh* mesh;
   fem::Space space;
   WaveOperator wave;
+  Layers layers;
   ImplicitStep integrator;
 };
 
@@ -49,6 +54,7 @@ AcousticSolver::AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& s
   discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
   state_.p.assign(mesh.num_vertices(), 0.0);
   state_.psi.assign(mesh.num_vertices(), 0.0);
+  discretisation_->layers.prepare(state_);
 }
 
 AcousticSolver::~AcousticSolver() = default;
@@ -58,6 +64,7 @@ AcousticSolver& AcousticSolver::operator=(AcousticSolver&&) noexcept = default;
 void AcousticSolver::set_state(State state) {
   assert(state.p.size() == state_.p.size() && state.psi.size() == state_.psi.size());
   state_ = std::move(state);
+  discretisation_->layers.prepare(state_);
   drop_caches();
 }
 
@@ -67,6 +74,7 @@ void AcousticSolver::adopt(const mesh::Mesh& mesh, State carried) {
   discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
   assert(carried.p.size() == static_cast<std::size_t>(mesh.num_vertices()));
   state_ = std::move(carried);
+  discretisation_->layers.prepare(state_);
 }
 
 const fem::Space& AcousticSolver::space() const { return discretisation_->space; }
@@ -82,7 +90,7 @@ double AcousticSolver::energy() const { return discretisation_->wave.energy(stat
 AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Source& source,
                                       const std::function<void(double)>& on_substep) {
   assert(dt > 0 && motion.begin.size() == motion.end.size() && !source.begin == !source.end);
-  auto& [mesh, space, wave, integrator] = *discretisation_;
+  auto& [mesh, space, wave, layers, integrator] = *discretisation_;
   const std::size_t num_coordinates = mesh->coordinates.size();
   std::vector<double> middle(num_coordinates), velocity;
   bool moves = !motion.begin.empty() && !std::equal(motion.begin.begin(), motion.begin.end(), motion.end.begin());
@@ -96,6 +104,10 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
     if (base::largest(mesh->comm, changed) > 0) integrator.drop();
   }
   wave.set_velocity(velocity);
+  if (moves && layers.exist() && !layers.stand_still(velocity)) {
+    throw base::UserError(fmt::format("the mesh in the layers of acoustic solver '{}' stands still", settings_.name),
+                          "it moves there", "make the layers thinner or the air wider");
+  }
 
   const int count = std::max(1, static_cast<int>(std::ceil(dt / settings_.step * (1 - 1e-9))));
   const double theta = integrator.load_at();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "acoustic_solver/layer_profile.hpp"
 #include "core/base/error.hpp"
 #include "core/mesh/facets.hpp"
 
@@ -68,10 +69,14 @@ std::vector<BoundaryFacet> boundary_conditions(const mesh::Mesh& mesh, const Aco
   AcousticBoundary wall;
   wall.kind = AcousticBoundaryKind::admittance;
   wall.admittance = settings.wall_admittance;
+  AcousticBoundary behind_layer;
+  behind_layer.kind = AcousticBoundaryKind::open;
+  const auto sides = layer_sides(mesh, settings);
   std::vector<BoundaryFacet> conditions;
   for (const mesh::NamedFacet& facet : mesh::boundary_facets(mesh)) {
     const std::int32_t b = chosen[static_cast<std::size_t>(facet.cell) * corners + facet.index];
-    BoundaryFacet here = condition(settings, mesh.dimension, b < count ? settings.boundaries[b] : wall);
+    const AcousticBoundary& unnamed = ends_a_layer(mesh, sides, facet) ? behind_layer : wall;
+    BoundaryFacet here = condition(settings, mesh.dimension, b < count ? settings.boundaries[b] : unnamed);
     here.cell = facet.cell;
     here.index = facet.index;
     conditions.push_back(here);

@@ -21,8 +21,9 @@ struct BoundaryFacet {
 };
 
 /// The conditions on all facets without a cell behind them. The first boundary of the settings that names a facet
-/// decides; a facet that none names gets the default wall admittance.
+/// decides; a facet that none names is open behind a layer and gets the default wall admittance elsewhere.
 /// Throws UserError where a boundary names a group that the mesh does not have, or a negative admittance or radius.
+/// Collective.
 /// Source of the open condition: the first-order radiation condition of Bayliss & Turkel 1980, exact for an outgoing
 /// wave of one centre in three dimensions.
 std::vector<BoundaryFacet> boundary_conditions(const mesh::Mesh& mesh, const AcousticSettings& settings);

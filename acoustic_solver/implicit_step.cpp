@@ -36,10 +36,11 @@ std::vector<double> extrapolated_increment(const State& state) {
 }  // namespace
 
 ImplicitStep::ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave,
-                           const AcousticSettings& settings)
+                           const Layers& layers, const AcousticSettings& settings)
     : mesh_(&mesh),
       space_(&space),
       wave_(&wave),
+      layers_(&layers),
       density_(settings.density),
       theta_(settings.theta),
       tolerance_(settings.solver_tolerance),
@@ -55,13 +56,14 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
   // Unknown: δ = p_θ - p at the θ-point, where ψ_θ = ψ + θ dt (p_θ / ρ + β·∇ψ_θ). With it the mass of p drops out:
   //   (mass / (θ dt) + admittance + b stiffness) δ = load - admittance p - stiffness (ψ + b p) + terms with β.
   const double a = 1 / (theta_ * step.dt), b = theta_ * step.dt / density_;
-  if (step.moves || !system_.is_assembled(a, b)) system_.assemble(*wave_, a, b);
+  if (step.moves || !system_.is_assembled(a, b)) system_.assemble(*wave_, *layers_, a, b);
   const std::size_t num_vertices = state.p.size();
   std::vector<double> fixed(num_vertices, 0.0), potential(num_vertices);
   for (std::size_t v = 0; v < num_vertices; ++v) potential[v] = state.psi[v] + b * state.p[v];
   wave_->add_flux(step.flux, fixed);
   wave_->add_admittance(-1, state.p, fixed);
   wave_->add_stiffness(-1, potential, fixed);
+  layers_->add_forces(theta_ * step.dt, state.p, potential, state, fixed);
   space_->halo.add_to_owners(fixed);
   for (std::size_t v = 0; v < num_vertices; ++v) fixed[v] += step.load[v];
 
@@ -110,6 +112,12 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
     update_convection();
   }
 
+  if (layers_->exist()) {
+    for (std::size_t v = 0; v < num_vertices; ++v) {
+      potential[v] = state.psi[v] + b * (state.p[v] + increment[v]) + theta_ * step.dt * convection[v];
+    }
+    layers_->advance(step.dt, theta_, potential, state);
+  }
   auto& earlier = state.earlier;
   if (earlier.size() == kEarlierPressures) earlier.pop_back();
   earlier.insert(earlier.begin(), state.p);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "acoustic_solver/layers.hpp"
 #include "acoustic_solver/pressure_system.hpp"
 #include "acoustic_solver/state.hpp"
 #include "acoustic_solver/wave_operator.hpp"
@@ -14,7 +15,7 @@ namespace vocalis::acoustic {
 class ImplicitStep {
  public:
   /// All must outlive the integrator. Collective.
-  ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave,
+  ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave, const Layers& layers,
                const AcousticSettings& settings);
 
   /// One sub-step of the state, ghosts current before and after; `wave` holds the geometry of its middle. False, with
@@ -32,6 +33,7 @@ class ImplicitStep {
   const mesh::Mesh* mesh_;
   const fem::Space* space_;
   const WaveOperator* wave_;
+  const Layers* layers_;
   double density_, theta_, tolerance_;
   PressureSystem system_;
 };

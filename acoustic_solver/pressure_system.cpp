@@ -64,8 +64,9 @@ void PressureSystem::create_solver() {
   set_block_preconditioner(solver_.get(), dimension_ == 2 ? PCCHOLESKY : PCICC);
 }
 
-void PressureSystem::assemble(const WaveOperator& wave, double a, double b) {
+void PressureSystem::assemble(const WaveOperator& wave, const Layers& layers, double a, double b) {
   wave.system_values(a, b, values_);
+  layers.add_system_values(1 / a, values_);
   matrix_.assemble(values_);
   if (!assembled_ || a != a_ || b != b_) rebuild_ = true;
   if (!assembled_) create_solver();

@@ -4,15 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "acoustic_solver/layers.hpp"
 #include "acoustic_solver/wave_operator.hpp"
 #include "core/la/assembled_matrix.hpp"
 #include "core/la/solve.hpp"
 
 namespace vocalis::acoustic {
 
-/// The symmetric positive definite system of a sub-step, a mass + admittance + b stiffness, and its solver: conjugate
-/// gradients. The matrix is built anew when a, b or the geometry change; the preconditioner is kept as long as it
-/// serves, since a moving mesh changes the matrix a little every step.
+/// The symmetric positive definite system of a sub-step, a mass + admittance + b stiffness, with what layers add, and
+/// its solver: conjugate gradients. The matrix is built anew when a, b or the geometry change; the preconditioner is
+/// kept as long as it serves, since a moving mesh changes the matrix a little every step.
 class PressureSystem {
  public:
   /// Collective.
@@ -20,7 +21,7 @@ class PressureSystem {
                  double tolerance);
 
   /// Collective.
-  void assemble(const WaveOperator& wave, double a, double b);
+  void assemble(const WaveOperator& wave, const Layers& layers, double a, double b);
   bool is_assembled(double a, double b) const { return assembled_ && a == a_ && b == b_; }
   void drop() { assembled_ = false; }
 

@@ -21,6 +21,23 @@ struct AcousticBoundary {
   double radius = 0;          ///< R [m] of the open sphere (circle in 2-D); 0: plane
 };
 
+/// Sides of the mesh's bounding box.
+enum class BoxSide { x_min, x_max, y_min, y_max, z_min, z_max };
+
+enum class LayerKind {
+  pml,    ///< perfectly matched: waves of all directions enter it unreflected
+  sponge  ///< p and u are damped alike: so do waves at a right angle
+};
+
+/// A layer in front of sides of the mesh's bounding box that absorbs sound. A boundary behind it that no
+/// `AcousticBoundary` names is open and plane.
+struct AbsorbingLayer {
+  LayerKind kind = LayerKind::pml;
+  std::vector<BoxSide> sides;
+  double thickness = 0;      ///< [m]
+  double reflection = 3e-4;  ///< of a plane wave at a right angle, there and back from a rigid end
+};
+
 /// One acoustic solver: its medium, boundaries and step.
 struct AcousticSettings {
   std::string name = "sound";
@@ -33,6 +50,7 @@ struct AcousticSettings {
   double solver_tolerance = 1e-8;  ///< relative residual of a step's change of pressure
   double source_fade_in = 0;       ///< [s] over which the analogy's source rises
   std::vector<AcousticBoundary> boundaries;
+  std::vector<AbsorbingLayer> layers;
 };
 
 struct MicrophoneSettings {

@@ -5,11 +5,14 @@
 
 namespace vocalis::acoustic {
 
-/// All that a later step depends on: a checkpoint of the acoustics is this. One number a local vertex, ghosts current.
+/// All that a later step depends on: a checkpoint of the acoustics is this. One number a local vertex, ghosts current,
+/// but for what says otherwise.
 struct State {
   double time = 0;                           ///< [s]
   std::vector<double> p;                     ///< acoustic pressure [Pa]
   std::vector<double> psi;                   ///< velocity potential [m^2/s], u = -∇ψ
+  std::vector<double> layer_flux;            ///< φ of absorbing layers, (owned layer cells, dimension) [m/s]
+  std::vector<double> layer_integral;        ///< w = ∫ψ dt [m^2], where a layer in space has corners; or empty
   std::vector<std::vector<double>> earlier;  ///< p one, two and three sub-steps ago: for the starting guess alone
 };
 

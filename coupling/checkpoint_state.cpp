@@ -35,6 +35,8 @@ template <class State, class Function>
 void for_each_acoustic_array(State& state, const std::string& name, const Function& function) {
   function(name + ".p", state.p);
   function(name + ".psi", state.psi);
+  function(name + ".layer_flux", state.layer_flux);
+  function(name + ".layer_integral", state.layer_integral);
   for (std::size_t i = 0; i < state.earlier.size(); ++i)
     function(name + ".earlier" + std::to_string(i), state.earlier[i]);
 }

@@ -29,6 +29,27 @@ acoustic::AcousticBoundary read_boundary(base::Table& table, Case& config) {
   return boundary;
 }
 
+acoustic::AbsorbingLayer read_layer(base::Table& table) {
+  using Side = acoustic::BoxSide;
+  const std::vector<std::pair<std::string, Side>> names = {{"x_min", Side::x_min}, {"x_max", Side::x_max},
+                                                           {"y_min", Side::y_min}, {"y_max", Side::y_max},
+                                                           {"z_min", Side::z_min}, {"z_max", Side::z_max}};
+  acoustic::AbsorbingLayer layer;
+  layer.kind = table.choice<acoustic::LayerKind>(
+      "kind", {{"pml", acoustic::LayerKind::pml}, {"sponge", acoustic::LayerKind::sponge}});
+  for (const std::string& side : table.texts("sides")) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& pair) { return pair.first == side; });
+    if (found == names.end()) {
+      throw UserError(table.place("sides") + " are sides of the mesh's box", "\"" + side + "\"",
+                      "use some of x_min, x_max, y_min, y_max, z_min, z_max");
+    }
+    layer.sides.push_back(found->second);
+  }
+  layer.thickness = table.number("thickness", base::positive, "m");
+  layer.reflection = table.number_or("reflection", layer.reflection, base::inside(0, 1));
+  return layer;
+}
+
 /// Without a flow there is nothing that an analogy could take sound from.
 std::string read_analogy(base::Table& table, const acoustic::AcousticSettings& solver, const Case& config) {
   const std::string analogy = table.text_or("analogy", config.flow ? solver.analogy : "none", analogy_names());
@@ -65,6 +86,7 @@ void read_acoustics(base::Table& root, Case& config) {
       groups.push_back(solver.boundaries.back().group);
     }
     reject_duplicates(table, "[[acoustic.boundary]]", groups);
+    for (base::Table& layer : table.tables("layer")) solver.layers.push_back(read_layer(layer));
     names.push_back(solver.name);
     config.acoustics.push_back(solver);
   }

@@ -78,6 +78,10 @@ MISTAKES = [
     scene("region left out", '[[region]]\nname = "room"\nkind = "air"\n', "", "room", "[[region]]"),
     scene("unknown group", 'group = "inlet"', 'group = "inlett"', "inlett", "did you mean \"inlet\""),
     scene("unknown group of sound", 'group = "open"', 'group = "sky"', "acoustic[sound].boundary[sky].group", "sky"),
+    scene("layer on no side", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["right"]\nthickness = 0.01\n'
+          "[[microphone]]", "acoustic[sound].layer", "sides", "x_min, x_max"),
+    scene("layer thinner than two cells", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["x_max"]\n'
+          "thickness = 1e-4\n[[microphone]]", "two cells", "eight"),
     scene("two regions of one name", 'name = "room"', 'name = "duct"', "region", "name of its own", "duct"),
     scene("two microphones of one name", "[[monitor]]",
           '[[microphone]]\nname = "ear"\nposition = [0.0, 0.005]\n[[monitor]]', "microphone", "name of its own"),

@@ -1,0 +1,159 @@
+#include "acoustic_solver/layers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "core/base/mpi.hpp"
+#include "core/fem/simplex.hpp"
+
+namespace vocalis::acoustic {
+
+Layers::Layers(const mesh::Mesh& mesh, const AcousticSettings& settings)
+    : mesh_(&mesh),
+      inverse_bulk_modulus_(1 / (settings.density * settings.speed_of_sound * settings.speed_of_sound)),
+      density_(settings.density),
+      sides_(layer_sides(mesh, settings)) {
+  if (sides_.empty()) return;
+  const bool is_sponge = settings.layers.front().kind == LayerKind::sponge;
+  std::set<int> axes;
+  for (const LayerSide& side : sides_) axes.insert(side.axis);
+  needs_integral_ = !is_sponge && mesh.dimension == 3 && axes.size() > 1;
+  for (std::int32_t c = 0; c < mesh.num_cells(); ++c) {
+    Cell cell;
+    cell.cell = c;
+    mesh.dimension == 2 ? measure_cell<2>(cell) : measure_cell<3>(cell);
+    double s[3] = {0, 0, 0};
+    for (int k = 0; k < mesh.dimension; ++k) {
+      for (int i = 0; i <= mesh.dimension; ++i) {
+        s[k] += cell.gradients[i][k] * damping_up_to(sides_, k, mesh.point(mesh.vertices_of(c)[i])[k]);
+      }
+      s[k] = std::max(0.0, s[k]);  // a cell of bad quality may give less
+    }
+    const double total = s[0] + s[1] + s[2];
+    if (total == 0) continue;
+    cell.a = total;
+    if (!is_sponge) {
+      cell.b = s[0] * s[1] + s[0] * s[2] + s[1] * s[2];
+      cell.g = s[0] * s[1] * s[2];
+    }
+    for (int i = 0; i < mesh.dimension; ++i) {
+      cell.decay[i] = is_sponge ? total : s[i];
+      cell.on_gradient[i] = is_sponge ? -total : total - 2 * s[i];
+      cell.on_integral[i] = is_sponge ? 0 : s[(i + 1) % 3] * s[(i + 2) % 3];
+    }
+    cells_.push_back(cell);
+  }
+}
+
+template <int D>
+void Layers::measure_cell(Cell& cell) const {
+  std::array<const double*, D + 1> corners;
+  for (int i = 0; i <= D; ++i) corners[i] = mesh_->point(mesh_->vertices_of(cell.cell)[i]);
+  const auto geometry = fem::simplex_geometry<D>(corners);
+  cell.measure = geometry.measure;
+  for (int i = 0; i <= D; ++i) std::copy(geometry.gradient[i].begin(), geometry.gradient[i].end(), cell.gradients[i]);
+}
+
+void Layers::prepare(State& state) const {
+  const std::size_t numbers = cells_.size() * mesh_->dimension;
+  if (state.layer_flux.size() != numbers) state.layer_flux.assign(numbers, 0.0);
+  const std::size_t vertices = needs_integral_ ? mesh_->num_vertices() : 0;
+  if (state.layer_integral.size() != vertices) state.layer_integral.assign(vertices, 0.0);
+}
+
+bool Layers::stand_still(std::span<const double> velocity) const {
+  const int d = mesh_->dimension;
+  const bool moves = std::any_of(cells_.begin(), cells_.end(), [&](const Cell& cell) {
+    for (const std::int32_t v : mesh_->vertices_of(cell.cell)) {
+      for (int k = 0; k < d; ++k) {
+        if (velocity[static_cast<std::size_t>(v) * d + k] != 0) return true;
+      }
+    }
+    return false;
+  });
+  return base::largest(mesh_->comm, static_cast<std::int32_t>(moves)) == 0;
+}
+
+void Layers::add_system_values(double beta, std::vector<double>& values) const {
+  const int d = mesh_->dimension, n = d + 1;
+  for (const Cell& cell : cells_) {
+    double* entry = values.data() + static_cast<std::size_t>(cell.cell) * n * n;
+    // The 1 of each factor is in the system already.
+    const double mass =
+        (cell.a + beta * (cell.b + beta * cell.g)) * inverse_bulk_modulus_ * cell.measure / (n * (n + 1));
+    double stiffness[3];
+    for (int k = 0; k < d; ++k) {
+      const double factor = beta * (cell.on_gradient[k] + beta * cell.on_integral[k]) / (1 + beta * cell.decay[k]);
+      stiffness[k] = beta / density_ * cell.measure * factor;
+    }
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        double sum = (i == j ? 2 : 1) * mass;
+        for (int k = 0; k < d; ++k) sum += stiffness[k] * cell.gradients[i][k] * cell.gradients[j][k];
+        entry[i * n + j] += sum;
+      }
+    }
+  }
+}
+
+double Layers::slope(const Cell& cell, int axis, std::span<const double> values) const {
+  const auto vertices = mesh_->vertices_of(cell.cell);
+  double sum = 0;
+  for (int i = 0; i <= mesh_->dimension; ++i) sum += values[vertices[i]] * cell.gradients[i][axis];
+  return sum;
+}
+
+double Layers::flux(const Cell& cell, int axis, double beta, double before, std::span<const double> potential,
+                    std::span<const double> integral) const {
+  double rate = cell.on_gradient[axis] * slope(cell, axis, potential);
+  if (cell.on_integral[axis] != 0) rate += cell.on_integral[axis] * slope(cell, axis, integral);
+  return (before + beta * rate) / (1 + beta * cell.decay[axis]);
+}
+
+std::vector<double> Layers::integral_at(double beta, std::span<const double> potential, const State& state) const {
+  std::vector<double> integral = state.layer_integral;
+  for (std::size_t v = 0; v < integral.size(); ++v) integral[v] += beta * potential[v];
+  return integral;
+}
+
+void Layers::add_forces(double beta, std::span<const double> pressure, std::span<const double> potential,
+                        const State& state, std::span<double> sums) const {
+  const int d = mesh_->dimension;
+  const std::vector<double> integral = integral_at(beta, potential, state);
+  const double* before = state.layer_flux.data();
+  for (const Cell& cell : cells_) {
+    const auto vertices = mesh_->vertices_of(cell.cell);
+    double damped[4], total = 0;
+    for (int i = 0; i <= d; ++i) {
+      const std::int32_t v = vertices[i];
+      damped[i] = cell.a * pressure[v] + cell.b * density_ * potential[v];
+      if (cell.g != 0) damped[i] += cell.g * density_ * integral[v];
+      total += damped[i];
+    }
+    double forward[3] = {0, 0, 0};
+    for (int k = 0; k < d; ++k) forward[k] = flux(cell, k, beta, before[k], potential, integral);
+    const double mass = inverse_bulk_modulus_ * cell.measure / ((d + 1) * (d + 2));
+    for (int i = 0; i <= d; ++i) {
+      double force = mass * (total + damped[i]);
+      for (int k = 0; k < d; ++k) force += cell.measure * forward[k] * cell.gradients[i][k];
+      sums[vertices[i]] -= force;
+    }
+    before += d;
+  }
+}
+
+void Layers::advance(double dt, double theta, std::span<const double> potential, State& state) const {
+  const std::vector<double> integral = integral_at(theta * dt, potential, state);
+  double* flux_of_cell = state.layer_flux.data();
+  for (const Cell& cell : cells_) {
+    for (int k = 0; k < mesh_->dimension; ++k) {
+      const double middle = flux(cell, k, theta * dt, flux_of_cell[k], potential, integral);
+      flux_of_cell[k] += (middle - flux_of_cell[k]) / theta;
+    }
+    flux_of_cell += mesh_->dimension;
+  }
+  for (std::size_t v = 0; v < state.layer_integral.size(); ++v) state.layer_integral[v] += dt * potential[v];
+}
+
+}  // namespace vocalis::acoustic

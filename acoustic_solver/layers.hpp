@@ -1,0 +1,75 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "acoustic_solver/layer_profile.hpp"
+#include "acoustic_solver/state.hpp"
+
+namespace vocalis::acoustic {
+
+/// The terms that absorbing layers add to the wave equation. With s_i the damping along axis i, constant on each cell,
+///
+///   (1 / (ρ c²)) (ṗ + a p + b ρ ψ + g ρ w, q) + (∇ψ + φ, ∇q) + ... = ...,    ẇ = ψ,
+///   φ̇_i + s_i φ_i = A_i ∂_i ψ + B_i ∂_i w                                     one vector a layer cell.
+///
+/// Perfectly matched: a = Σ s_i, b = Σ s_i s_j, g = s_x s_y s_z, A_i = s_j + s_k - s_i, B_i = s_j s_k; this is the wave
+/// equation in the coordinates stretched by 1 + s_i / (iω), which no plane wave feels as a boundary. Sponge: p and u
+/// are both damped by s = Σ s_i; a = s, b = g = 0, A_i = -s, B_i = 0. Source: Grote & Sim 2010, eqs. 2.16-2.18, written
+/// for ψ; docs/theory.md, "Layers that absorb sound".
+///
+/// Layers stand still. Sums over this rank's cells: the caller adds them to the owners.
+class Layers {
+ public:
+  /// The geometry is that of the mesh, which must outlive the layers. Throws UserError. Collective.
+  Layers(const mesh::Mesh& mesh, const AcousticSettings& settings);
+
+  /// Whether there are any, on every rank alike.
+  bool exist() const { return !sides_.empty(); }
+
+  /// Gives φ and w their sizes, and 0 where they have another one.
+  void prepare(State& state) const;
+
+  /// Whether no vertex of a layer's cell has a velocity, on any rank. Collective.
+  bool stand_still(std::span<const double> velocity) const;
+
+  /// What the layers add to (1 / beta) mass + (beta / ρ) stiffness, once φ, w and ψ at the θ-point are eliminated:
+  /// 1 + a beta + b beta² + g beta³ times the mass, and 1 + (beta A_i + beta² B_i) / (1 + beta s_i) > 0 times the
+  /// stiffness along axis i. beta = θ dt [s]; values (cells, n, n).
+  void add_system_values(double beta, std::vector<double>& values) const;
+
+  /// Adds -(1 / (ρ c²)) (a p + b ρ ψ + g ρ w, q) - (φ, ∇q) at the θ-point, where `pressure` and `potential` are given
+  /// with ghosts and φ and w follow from their values in `state`, those at the beginning of the step.
+  void add_forces(double beta, std::span<const double> pressure, std::span<const double> potential, const State& state,
+                  std::span<double> sums) const;
+
+  /// Moves φ and w of the state on by a step of the θ-scheme with ψ at the θ-point.
+  void advance(double dt, double theta, std::span<const double> potential, State& state) const;
+
+ private:
+  struct Cell {
+    std::int32_t cell = 0;
+    double measure = 0;           ///< [m^2, m^3]
+    double gradients[4][3] = {};  ///< of the P1 basis [1/m]
+    double a = 0, b = 0, g = 0;   ///< [1/s], [1/s^2], [1/s^3]
+    double decay[3] = {};         ///< s_i [1/s]
+    double on_gradient[3] = {};   ///< A_i [1/s]
+    double on_integral[3] = {};   ///< B_i [1/s^2]
+  };
+  template <int D>
+  void measure_cell(Cell& cell) const;
+  /// ∂_i of a P1 function.
+  double slope(const Cell& cell, int axis, std::span<const double> values) const;
+  /// φ_i at the θ-point.
+  double flux(const Cell& cell, int axis, double beta, double before, std::span<const double> potential,
+              std::span<const double> integral) const;
+  std::vector<double> integral_at(double beta, std::span<const double> potential, const State& state) const;
+
+  const mesh::Mesh* mesh_;
+  double inverse_bulk_modulus_, density_;
+  std::vector<LayerSide> sides_;
+  std::vector<Cell> cells_;
+  bool needs_integral_ = false;  ///< w has an effect
+};
+
+}  // namespace vocalis::acoustic
