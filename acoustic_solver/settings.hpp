@@ -53,9 +53,24 @@ struct AcousticSettings {
   std::vector<AbsorbingLayer> layers;
 };
 
+enum class MicrophoneKind {
+  mesh,      ///< in a cell of the air
+  far_field  ///< outside of a surface of the mesh, by Kirchhoff's integral over it
+};
+
+/// A rigid plane, or one of symmetry: the coordinate `axis` is `position` [m].
+struct MirrorPlane {
+  int axis = 0;
+  double position = 0;
+  bool operator==(const MirrorPlane&) const = default;
+};
+
 struct MicrophoneSettings {
   std::string name;
   std::array<double, 3> position = {0, 0, 0};  ///< [m]
+  MicrophoneKind kind = MicrophoneKind::mesh;
+  std::string surface = "";               ///< group of facets, of a far-field microphone
+  std::vector<MirrorPlane> mirrors = {};  ///< that the surface ends at, of different axes
 };
 
 }  // namespace vocalis::acoustic

@@ -41,6 +41,18 @@ void for_each_acoustic_array(State& state, const std::string& name, const Functi
     function(name + ".earlier" + std::to_string(i), state.earlier[i]);
 }
 
+/// What far-field microphones of a voice are still to hear; the names end in the number of the surface.
+template <class State, class Function>
+void for_each_far_field_array(State& state, const std::string& name, const Function& function) {
+  function(name + ".clock", state.clock);
+  function(name + ".pressures", state.pressures);
+  function(name + ".sums", state.sums);
+}
+
+std::string far_field_name(std::size_t voice, std::size_t surface) {
+  return "acoustic" + std::to_string(voice) + ".far_field" + std::to_string(surface);
+}
+
 std::vector<double> on_rank_0(MPI_Comm comm, std::vector<double> values) {
   if (base::rank(comm) != 0) values.clear();
   return values;
@@ -76,6 +88,10 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     const acoustic::State& state = simulation.voices()[i]->solver().state();
     add(acoustic_name(i) + ".times", on_rank_0(comm, {state.time, static_cast<double>(state.earlier.size())}));
     for_each_acoustic_array(state, acoustic_name(i), add);
+    const auto& far_fields = simulation.voices()[i]->microphones().far_fields();
+    for (std::size_t f = 0; f < far_fields.size(); ++f) {
+      for_each_far_field_array(far_fields[f].state(), far_field_name(i, f), add);
+    }
   }
   writer.commit();
 }
@@ -139,6 +155,12 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     state.earlier.assign(static_cast<std::size_t>(acoustic_times[1]), std::vector<double>(state.p.size()));
     for_each_acoustic_array(state, acoustic_name(i), read);
     simulation.voices()[i]->solver().set_state(std::move(state));
+    auto& far_fields = simulation.voices()[i]->microphones().far_fields();
+    for (std::size_t f = 0; f < far_fields.size(); ++f) {
+      acoustic::FarField::State waiting = far_fields[f].state();
+      for_each_far_field_array(waiting, far_field_name(i, f), read);
+      far_fields[f].set_state(std::move(waiting));
+    }
   }
   simulation.restart_from_states();
   return {times[8]};

@@ -32,22 +32,51 @@ std::vector<std::string> microphone_columns(const Case& config, std::size_t solv
   std::vector<std::string> columns = {"time_s"};
   if (config.source) columns.push_back(source_column);
   for (const Channel& channel : channels(config)) {
-    if (channel.solver == config.acoustics[solver].name) columns.push_back(channel.column);
+    if (channel.solver != config.acoustics[solver].name) continue;
+    columns.push_back(channel.column);
+    if (!config.flow) continue;
+    columns.push_back("p_a_Pa." + channel.suffix);
+    columns.push_back("p_ic_Pa." + channel.suffix);
   }
   return columns;
 }
 
-Header microphone_header(const Case& config, std::size_t solver) {
+std::string words(const acoustic::MicrophoneSettings& microphone) {
+  if (microphone.kind == acoustic::MicrophoneKind::mesh) return "on the mesh";
+  std::string mirrors;
+  for (const acoustic::MirrorPlane& mirror : microphone.mirrors) {
+    mirrors += fmt::format(", mirrored at {} = {} m", "xyz"[mirror.axis], mirror.position);
+  }
+  return fmt::format("far field, by Kirchhoff's integral over '{}'{}", microphone.surface, mirrors);
+}
+
+/// What a reader of the file alone must know: units, what p is, of which medium, where.
+Header microphone_header(const Case& config, std::size_t solver, const std::vector<std::int32_t>& in_flow) {
   const acoustic::AcousticSettings& settings = config.acoustics[solver];
   Header header = {{"case", config.name},
-                   {"pressure", "acoustic pressure p_a [Pa]; the sum with the flow's pressure is the whole"},
-                   {"analogy", settings.analogy},
-                   {"sign", "source -(1 / (rho c^2)) dp/dt: p_a adds to the flow's pressure"},
-                   {"speed_of_sound_m_s", fmt::format("{}", settings.speed_of_sound)},
-                   {"density_kg_m3", fmt::format("{}", settings.density)}};
-  for (const auto& microphone : config.microphones) {
-    header.emplace_back("position_m." + microphone.name, fmt::format("{} {} {}", microphone.position[0],
-                                                                     microphone.position[1], microphone.position[2]));
+                   {"solver", settings.name},
+                   {"units", "SI: times [s], instantaneous pressures [Pa], positions [m], speeds [m/s]"}};
+  if (config.flow) {
+    header.emplace_back("pressure_Pa", "p_a + p_ic, the whole deviation from the pressure at rest");
+    header.emplace_back("p_a_Pa", "acoustic pressure, of the wave equation with the analogy's source");
+    header.emplace_back("p_ic_Pa", "pressure of the incompressible flow, linear in time over a step of the flow");
+    header.emplace_back("analogy", settings.analogy);
+    header.emplace_back(
+        "sign", settings.analogy == "none" ? "no source" : "source -(1 / (rho c^2)) dp_ic/dt: p_a adds to p_ic");
+  } else {
+    header.emplace_back("pressure_Pa", "acoustic pressure, of the wave equation driven by source_m_s");
+    header.emplace_back("analogy", "none");
+    header.emplace_back("sign", "source_m_s is positive into the air");
+  }
+  header.emplace_back("speed_of_sound_m_s", fmt::format("{}", settings.speed_of_sound));
+  header.emplace_back("density_kg_m3", fmt::format("{}", settings.density));
+  for (std::size_t m = 0; m < config.microphones.size(); ++m) {
+    const acoustic::MicrophoneSettings& microphone = config.microphones[m];
+    const auto& [x, y, z] = microphone.position;
+    header.emplace_back("position_m." + microphone.name, fmt::format("{} {} {}", x, y, z));
+    header.emplace_back("microphone." + microphone.name, words(microphone));
+    if (!config.flow) continue;
+    header.emplace_back("p_ic." + microphone.name, in_flow[m] ? "inside of the flow" : "0: outside of the flow");
   }
   return header;
 }
@@ -103,8 +132,10 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
                          static_cast<double>(clock.step), goes_on);
   if (!config.microphones.empty()) {
     for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
-      microphones_.push_back(open_series(comm, path / microphones_file(config, i), microphone_header(config, i),
-                                         microphone_columns(config, i), 0, clock.time * (1 + 1e-12), goes_on));
+      const std::vector<std::int32_t> in_flow = simulation.voices()[i]->in_flow();
+      microphones_.push_back(open_series(comm, path / microphones_file(config, i),
+                                         microphone_header(config, i, in_flow), microphone_columns(config, i), 0,
+                                         clock.time * (1 + 1e-12), goes_on));
     }
   }
   if (config.output.fields_interval > 0) {
@@ -149,7 +180,13 @@ void RunOutput::record_microphones(Simulation& simulation) {
     for (std::size_t sample = 0; sample < block.times.size(); ++sample) {
       std::vector<double> row = {block.times[sample]};
       if (simulation.source()) row.push_back(simulation.source()->value(block.times[sample]));
-      row.insert(row.end(), block.values.begin() + sample * count, block.values.begin() + (sample + 1) * count);
+      for (std::size_t i = sample * count; i < (sample + 1) * count; ++i) {
+        if (block.flow.empty()) {
+          row.push_back(block.values[i]);
+        } else {
+          row.insert(row.end(), {block.values[i] + block.flow[i], block.values[i], block.flow[i]});
+        }
+      }
       microphones_[i]->write(row);
     }
   }

@@ -3,14 +3,43 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/mesh/facets.hpp"
+
 namespace vocalis::coupling {
+
+namespace {
+
+std::vector<std::int32_t> cells_with_flow(const Scene& scene) {
+  const mesh::Mesh& mesh = scene.acoustic->mesh;
+  std::vector<std::int32_t> result(mesh.num_cells(), 0);
+  if (!scene.flow) return result;
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    result[cell] = scene.kind_of_region[mesh.cell_region[cell]] == RegionKind::fluid;
+  }
+  return result;
+}
+
+/// Sound is made in the flow, or along the group where a prescribed source enters. Time goes in whole sub-steps.
+acoustic::FarFieldSettings far_field(const Scene& scene, const Case& config, const acoustic::AcousticSettings& settings,
+                                     std::vector<std::int32_t> has_source) {
+  const mesh::Mesh& mesh = scene.acoustic->mesh;
+  if (config.source) {
+    for (const mesh::NamedFacet& facet : mesh::facets_of_group(mesh, config.source->group)) has_source[facet.cell] = 1;
+  }
+  const double step = config.time.step > 0 ? config.time.step : settings.step;
+  const double interval = step / std::ceil(step / settings.step * (1 - 1e-9));
+  return {settings.speed_of_sound, interval, std::move(has_source)};
+}
+
+}  // namespace
 
 Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings)
     : scene_(scene),
       settings_(settings),
       analogy_(make_analogy(settings.analogy, settings.density, settings.speed_of_sound)),
+      cell_has_flow_(cells_with_flow(scene)),
       solver_(scene.acoustic->mesh, settings),
-      microphones_(scene.acoustic->mesh, config.microphones),
+      microphones_(scene.acoustic->mesh, config.microphones, far_field(scene, config, settings, cell_has_flow_)),
       rest_coordinates_(scene.acoustic->mesh.coordinates) {
   microphones_.require_inside();
   if (scene.flow) {
@@ -22,6 +51,17 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
 double Voice::fade(double time) const {
   if (time >= settings_.source_fade_in) return 1;
   return 0.5 * (1 - std::cos(std::numbers::pi * time / settings_.source_fade_in));
+}
+
+std::vector<double> Voice::flow_pressure(const std::vector<double>& of_flow_vertices) const {
+  // A fluid cell is on the same rank in both meshes, so its vertices are, too.
+  const transfer::StrippedMesh& acoustic = *scene_.acoustic;
+  std::vector<double> result(acoustic.mesh.num_vertices(), 0.0);
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    const std::int32_t there = scene_.flow->parent_to_vertex[acoustic.vertex_to_parent[v]];
+    if (there >= 0) result[v] = of_flow_vertices[there];
+  }
+  return result;
 }
 
 std::vector<double> Voice::moved_coordinates(const fem::Field& displacement) const {
@@ -42,13 +82,18 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
 
   const std::vector<double> from = moved_coordinates(displacement_begin), to = moved_coordinates(displacement_end);
   mesh::Mesh& mesh = scene_.acoustic->mesh;
+  for (const acoustic::FarField& far : microphones_.far_fields()) far.require_still(mesh, to);
+  const std::vector<double> first = flow_pressure(flow.pressure_begin), last = flow_pressure(flow.pressure_end);
+  std::vector<double> between(first.size());
   const double start = solver_.state().time, dt = flow.time_end - flow.time_begin;
   // Microphones stand still and cells pass them: where they are counts at each sub-step.
   const auto listen = [&](double time) {
     const double part = (time - start) / dt;
     for (std::size_t i = 0; i < to.size(); ++i) mesh.coordinates[i] = (1 - part) * from[i] + part * to[i];
     microphones_.follow(mesh);
-    microphones_.sample(time, solver_.state().p);
+    for (std::size_t v = 0; v < first.size(); ++v) between[v] = (1 - part) * first[v] + part * last[v];
+    const acoustic::FlowPressure heard = {between, cell_has_flow_};
+    microphones_.sample(time, solver_.state().p, &heard);
   };
   const auto report = solver_.advance(dt, {from, to}, {.begin = &begin, .end = &end, .flux = {}}, listen);
   mesh.coordinates = to;

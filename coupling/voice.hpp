@@ -16,7 +16,8 @@ namespace vocalis::coupling {
 /// One [[acoustic]] of a case: a solver, the analogy that feeds it, and the microphones that listen to it.
 class Voice {
  public:
-  /// The scene must outlive the voice. Throws UserError for a microphone outside of the air. Collective.
+  /// The scene must outlive the voice. Throws UserError for a microphone outside of the air, or a far field that cannot
+  /// be. Collective.
   Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings);
 
   /// Follows one accepted step of the flow. The air moves with the flow mesh: displacements [m] at the step's beginning
@@ -37,14 +38,20 @@ class Voice {
   acoustic::AcousticSolver& solver() { return solver_; }
   const acoustic::AcousticSolver& solver() const { return solver_; }
   acoustic::Microphones& microphones() { return microphones_; }
+  const acoustic::Microphones& microphones() const { return microphones_; }
+  /// Whether each microphone hears the flow's pressure, too. Collective.
+  std::vector<std::int32_t> in_flow() const { return microphones_.in_flow(cell_has_flow_); }
 
  private:
   std::vector<double> moved_coordinates(const fem::Field& displacement) const;
   double fade(double time) const;
+  /// The flow's pressure at the acoustic mesh's vertices, of its fluid cells [Pa].
+  std::vector<double> flow_pressure(const std::vector<double>& of_flow_vertices) const;
 
   Scene& scene_;
   acoustic::AcousticSettings settings_;
   std::unique_ptr<Analogy> analogy_;
+  std::vector<std::int32_t> cell_has_flow_;  ///< (owned cells of the acoustic mesh)
   acoustic::AcousticSolver solver_;
   acoustic::Microphones microphones_;
   std::vector<double> rest_coordinates_;

@@ -84,7 +84,7 @@ class Run:
         return any(boundary.get("kind") == "symmetry" for boundary in flow.get("boundary", []))
 
     def sounds(self):
-        return sorted(self.folder.glob("microphones*.wav"))
+        return sorted(self.folder.glob("microphone*.wav"))
 
 
 def number(text):

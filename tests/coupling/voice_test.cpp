@@ -116,7 +116,8 @@ double error_of_duct(int cells, double (*displacement)(double, double)) {
   for (std::size_t sample = 1; sample < block.times.size(); sample += 2) {  // after each step: p_ic is meant there
     for (std::size_t m = 0; m < 2; ++m) {
       const double x = config.microphones[m].position[0], t = block.times[sample];
-      const double sum = block.values[2 * sample + m] + incompressible(x, t);
+      CHECK(block.flow[2 * sample + m] == Approx(incompressible(x, t)).margin(1e-9 * density * speed));
+      const double sum = block.values[2 * sample + m] + block.flow[2 * sample + m];
       worst = std::max(worst, std::abs(sum - travelling(x, t)) / (density * speed));
     }
   }
@@ -210,4 +211,21 @@ TEST_CASE("a microphone outside of the air is the user's mistake") {
   Case config;
   config.microphones = {{"far", {1, 1, 0}}};
   CHECK_THROWS_AS(Voice(*scene, config, air(1e-5)), base::UserError);
+}
+
+TEST_CASE("the flow's pressure at a microphone goes straight over a step, and ends with the flow") {
+  const auto scene = duct(40);
+  const double begin = 1.1e-3, dt = 1e-4;
+  Voice voice(*scene, case_with_microphones(), air(dt / 4));
+  CHECK(voice.in_flow() == std::vector<std::int32_t>{1, 0});
+  const FakeFlow flow(*scene, nowhere);
+  CHECK(voice.follow(flow.view(begin, begin + dt), flow.displacement(begin), flow.displacement(begin + dt)).converged);
+  const auto block = voice.microphones().collect();
+  REQUIRE_ON_ALL_RANKS(block.flow.size() == (base::rank(MPI_COMM_WORLD) == 0 ? 8u : 0u));
+  for (std::size_t sample = 0; sample < block.times.size(); ++sample) {
+    const double part = 0.25 * static_cast<double>(sample + 1), x = 0.3 * length;
+    const double exact = (1 - part) * incompressible(x, begin) + part * incompressible(x, begin + dt);
+    CHECK(block.flow[2 * sample] == Approx(exact));
+    CHECK(block.flow[2 * sample + 1] == 0);
+  }
 }
