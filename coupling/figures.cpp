@@ -7,9 +7,7 @@
 #include <filesystem>
 #include <numeric>
 
-#include "acoustic_solver/signals/driven_response.hpp"
 #include "acoustic_solver/signals/resample.hpp"
-#include "acoustic_solver/signals/ring_down.hpp"
 #include "acoustic_solver/signals/voice.hpp"
 #include "core/base/error.hpp"
 #include "core/io/series_reader.hpp"
@@ -21,7 +19,6 @@ namespace vocalis::coupling {
 namespace {
 
 constexpr double analysis_rate = 44100;  // [Hz]
-constexpr double widest_formant = 600;   // [Hz] a broader oscillation is no formant
 
 const std::vector<double>& column(const io::Series& series, const std::string& name, const std::string& file) {
   if (const std::vector<double>* found = series.find(name)) return *found;
@@ -173,7 +170,6 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
   }
   if (config.microphones.empty()) return figures;
 
-  std::vector<ChannelSpectrum> spectra;
   for (const Channel& channel : channels(config)) {
     const std::string file = (run / channel.file).string();
     const io::Series recorded = io::read_series(file);
@@ -181,33 +177,17 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     const std::vector<double>& pressure = column(recorded, channel.column, file);
     const std::vector<double> sound = from_zero(times, pressure);
     io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
-    ChannelSpectrum spectrum = {
-        channel, acoustic::welch(uniform_since(sound, begin_of_voice(config)), analysis_rate, 4096), {}, {}};
+    const std::vector<double> source =
+        config.source ? from_zero(times, column(recorded, source_column, file)) : volume_flow;
+    SoundAnalysis analysis = analyse_sound(sound, source, analysis_rate, begin_of_voice(config));
     // The first microphone's formants carry the plain names F1_Hz, ...
-    const std::string suffix = spectra.empty() ? "" : "." + channel.suffix;
-    if (config.source) {
-      const std::vector<double> flux = from_zero(times, column(recorded, source_column, file));
-      const auto response =
-          acoustic::analyse_pulse_response(flux, sound, analysis_rate, {.maximum_bandwidth = widest_formant});
-      spectrum.transfer_frequency = response.transfer.frequency;
-      spectrum.transfer_level = acoustic::magnitude_level(response.transfer);
-      add_formants(response.formants, suffix, figures);
-    } else if (!volume_flow.empty()) {
-      const auto late = [&](const std::vector<double>& series) {
-        return uniform_since(series, begin_of_voice(config));
-      };
-      auto response = acoustic::driven_response(late(volume_flow), late(sound), analysis_rate);
-      spectrum.transfer_frequency = std::move(response.frequency);
-      spectrum.transfer_level = std::move(response.level);
-      add_formants(response.formants, suffix, figures);
-    } else {
-      add_formants(acoustic::formants_by_prediction(sound, analysis_rate, {}), suffix, figures);
-    }
-    figures.values["SPL_dB." + channel.suffix] =
-        acoustic::sound_pressure_level(since(times, pressure, begin_of_voice(config)));
-    spectra.push_back(std::move(spectrum));
+    add_formants(analysis.formants, figures.sounds.empty() ? "" : "." + channel.suffix, figures);
+    if (analysis.pitch) figures.values.try_emplace("f0_Hz", *analysis.pitch);
+    figures.values["SPL_dB." + channel.suffix] = analysis.level;
+    figures.sounds.push_back({channel, std::move(analysis)});
   }
-  write_spectra((run / "spectra.csv").string(), config, spectra);
+  write_spectra((run / "spectra.csv").string(), config, figures.sounds);
+  write_harmonics((run / "harmonics.csv").string(), config, figures.sounds);
   return figures;
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/mpi.hpp"
 #include "coupling/checkpoint_state.hpp"
 #include "coupling/run_folder.hpp"
+#include "coupling/sound_table.hpp"
 #include "coupling/summary.hpp"
 
 namespace vocalis::coupling {
@@ -182,6 +183,7 @@ int spectrum(MPI_Comm comm, const Command& command) {
   base::Log log(comm);
   base::on_first_rank(comm, [&] {
     const Figures figures = evaluate_run(config, command.target);
+    print_sounds(log, figures.sounds);
     for (const auto& [name, value] : figures.values) log.info("  {:<28} {:>12.6g}", name, value);
   });
   return finished_code;

@@ -91,7 +91,7 @@ std::unique_ptr<io::SeriesWriter> open_series(MPI_Comm comm, const std::string& 
 /// Whether a run writes files of this name.
 bool is_of_a_run(const std::string& name) {
   for (const char* known :
-       {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "fields.h5", "fields.xdmf"}) {
+       {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "harmonics.csv", "fields.h5", "fields.xdmf"}) {
     if (name == known) return true;
   }
   return name.starts_with("microphone") && (name.ends_with(".wav") || name.ends_with(".csv"));

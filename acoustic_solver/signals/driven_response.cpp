@@ -57,39 +57,97 @@ std::vector<double> fit(std::span<const double> source, std::span<const double> 
   return solution;
 }
 
-std::complex<double> polynomial(std::span<const double> coefficients, std::complex<double> delay) {
-  std::complex<double> value = 0;
+using Complex = std::complex<double>;
+
+Complex polynomial(std::span<const double> coefficients, Complex delay) {
+  Complex value = 0;
   for (std::size_t k = coefficients.size(); k-- > 0;) value = value * delay + coefficients[k];
   return value;
 }
 
-/// |B/A| [dB] at whole hertz of a model of one order; empty if it could not be fitted.
-std::vector<double> level_of_order(std::span<const double> source, std::span<const double> response, int order,
-                                   double rate, int highest, double& misfit) {
-  const std::vector<double> coefficients = fit(source, response, order, misfit);
-  if (coefficients.empty()) return {};
-  const std::span<const double> a = std::span(coefficients).first(order), b = std::span(coefficients).subspan(order);
-  std::vector<double> level;
-  for (int hertz = 0; hertz <= highest; ++hertz) {
-    const auto delay = std::polar(1.0, -2 * std::numbers::pi * hertz / rate);
-    level.push_back(20 * std::log10(std::abs(polynomial(b, delay) / (1.0 - delay * polynomial(a, delay)))));
+/// A fitted system H = B / A with B = sum_k b_k z^-k, A = 1 - sum_k a_k z^-k.
+struct Model {
+  std::vector<double> a, b;
+  double rate = 0;  // [Hz]
+
+  Complex numerator(Complex z) const { return polynomial(b, 1.0 / z); }
+  Complex denominator(Complex z) const { return 1.0 - polynomial(a, 1.0 / z) / z; }
+  /// |H| [dB] at a frequency [Hz]
+  double level(double frequency) const {
+    const Complex z = std::polar(1.0, 2 * std::numbers::pi * frequency / rate);
+    return 20 * std::log10(std::abs(numerator(z) / denominator(z)));
   }
-  return level;
+};
+
+/// The resonances of one model that shape |H| at their own frequency; the others are fitted to noise or to skirts.
+std::vector<Formant> resonances(const Model& model, const DrivenModel& settings) {
+  std::vector<double> coefficients;
+  for (const double value : model.a) coefficients.push_back(-value);
+  const std::vector<Complex> poles = polynomial_roots(coefficients);
+  std::vector<Formant> result;
+  for (const Complex& pole : poles) {
+    const double radius = std::abs(pole);
+    if (pole.imag() <= 0 || radius >= 1) continue;
+    Formant formant;
+    formant.frequency = std::arg(pole) * model.rate / (2 * std::numbers::pi);
+    formant.bandwidth = -std::log(radius) * model.rate / std::numbers::pi;
+    formant.level = model.level(formant.frequency);
+    if (formant.frequency < settings.minimum_frequency || formant.frequency > 0.45 * model.rate) continue;
+    if (formant.bandwidth > settings.maximum_bandwidth) continue;
+    // H = ... + residue / (1 - pole / z): at the pole's own frequency |residue| / (1 - radius).
+    Complex others = 1;
+    for (const Complex& other : poles) {
+      if (&other != &pole) others *= 1.0 - other / pole;
+    }
+    const double own = 20 * std::log10(std::abs(model.numerator(pole) / others) / (1 - radius));
+    if (own > formant.level + settings.least_own_level) result.push_back(formant);
+  }
+  return result;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+/// The resonances that most orders agree upon: each with the nearest of the other orders, no further apart than
+/// `agreement`; the median of those. What only some orders see was invented by them.
+std::vector<Formant> recurring(const std::vector<std::vector<Formant>>& orders, const DrivenModel& settings) {
+  std::vector<Formant> all;
+  for (const auto& order : orders) all.insert(all.end(), order.begin(), order.end());
+  std::sort(all.begin(), all.end(), [](const Formant& a, const Formant& b) { return a.frequency < b.frequency; });
+  std::vector<Formant> result;
+  for (std::size_t begin = 0; begin < all.size();) {
+    std::size_t end = begin + 1;
+    while (end < all.size() && all[end].frequency - all[end - 1].frequency < settings.agreement * all[end].frequency) {
+      ++end;
+    }
+    if (2 * (end - begin) > orders.size()) {
+      std::vector<double> frequencies, bandwidths, levels;
+      for (std::size_t i = begin; i < end; ++i) {
+        frequencies.push_back(all[i].frequency);
+        bandwidths.push_back(all[i].bandwidth);
+        levels.push_back(all[i].level);
+      }
+      result.push_back({median(frequencies), median(bandwidths), median(levels)});
+    }
+    begin = end;
+  }
+  return result;
 }
 
 /// The median over the models at each frequency, then the mean over 9 Hz: medians have steps.
 std::vector<double> combine(const std::vector<std::vector<double>>& levels) {
   const std::size_t bins = levels.front().size();
-  std::vector<double> median(bins), result(bins);
+  std::vector<double> middle(bins), result(bins);
   for (std::size_t bin = 0; bin < bins; ++bin) {
     std::vector<double> values;
     for (const auto& level : levels) values.push_back(level[bin]);
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    median[bin] = values[values.size() / 2];
+    middle[bin] = median(std::move(values));
   }
   for (std::size_t bin = 0; bin < bins; ++bin) {
     const std::size_t first = bin < 4 ? 0 : bin - 4, last = std::min(bin + 4, bins - 1);
-    for (std::size_t i = first; i <= last; ++i) result[bin] += median[i] / static_cast<double>(last - first + 1);
+    for (std::size_t i = first; i <= last; ++i) result[bin] += middle[i] / static_cast<double>(last - first + 1);
   }
   return result;
 }
@@ -106,18 +164,22 @@ DrivenResponse driven_response(std::span<const double> source, std::span<const d
   // The resampling filter stops the last tenth below half the sampling rate.
   const int highest = static_cast<int>(0.45 * model.sampling_rate);
   std::vector<std::vector<double>> levels;
+  std::vector<std::vector<Formant>> formants;
   for (int order = model.lowest_order; order <= model.highest_order; order += 2) {
-    std::vector<double> level = level_of_order(std::span(q).first(length), std::span(p).first(length), order,
-                                               model.sampling_rate, highest, result.misfit);
-    if (!level.empty()) levels.push_back(std::move(level));
+    const std::vector<double> fitted =
+        fit(std::span(q).first(length), std::span(p).first(length), order, result.misfit);
+    if (fitted.empty()) continue;
+    const Model system = {
+        {fitted.begin(), fitted.begin() + order}, {fitted.begin() + order, fitted.end()}, model.sampling_rate};
+    std::vector<double> level;
+    for (int hertz = 0; hertz <= highest; ++hertz) level.push_back(system.level(hertz));
+    levels.push_back(std::move(level));
+    formants.push_back(resonances(system, model));
   }
   if (levels.empty()) return result;
   result.level = combine(levels);
   for (int hertz = 0; hertz <= highest; ++hertz) result.frequency.push_back(hertz);
-  result.formants = formants_by_peaks(result.level, 1.0,
-                                      {.minimum_frequency = model.minimum_frequency,
-                                       .maximum_frequency = static_cast<double>(highest),
-                                       .prominence = model.prominence});
+  result.formants = recurring(formants, model);
   return result;
 }
 

@@ -13,13 +13,15 @@ struct DrivenModel {
   double sampling_rate = 10000;    ///< both series are resampled to this [Hz]; resonances up to 0.45 of it
   int lowest_order = 14;           ///< past samples of the response, and present and past ones of the source
   int highest_order = 26;          ///< every second order between the two is fitted, too
-  double prominence = 6;           ///< of a resonance in the transfer function [dB]
-  double minimum_frequency = 100;  ///< [Hz]
+  double minimum_frequency = 100;  ///< of a resonance [Hz]
+  double maximum_bandwidth = 600;  ///< [Hz] broader ones shape the skirts
+  double least_own_level = -12;    ///< of a resonance at its frequency, over the whole transfer function there [dB]
+  double agreement = 0.02;         ///< largest relative distance of one order's resonance from another's
 };
 
 /// A linear system found from what went in and what came out.
 struct DrivenResponse {
-  std::vector<Formant> formants;  ///< peaks of |H|, rising
+  std::vector<Formant> formants;  ///< poles of H, rising; `level` is |H| there
   std::vector<double> frequency;  ///< [Hz], 1 Hz apart from 0
   std::vector<double> level;      ///< |H|, response over source [dB re 1 in its unit]
   double misfit = 0;              ///< rms of what one-step prediction leaves, over the rms of the response
@@ -30,11 +32,14 @@ struct DrivenResponse {
 ///
 ///   p_n = sum_k a_k p_{n-k} + sum_k b_k q_{n-k},   k = 1 .. order for a, 0 .. order - 1 for b,
 ///
-/// fits by least squares, and |B/A| has the system's peaks whatever the source's spectrum is, where it has any energy.
-/// A single order invents a peak now and then, each order another one: the level is the median over several orders.
+/// fits by least squares, and H = B/A has the system's poles whatever the source's spectrum is, where it has any
+/// energy. A single order invents a pole now and then, each order another one: formants are the poles that more than
+/// half of the orders agree upon and that shape |H| at their own frequency, each the median; the level is a median,
+/// too.
 ///
 /// source, response  one number per sample each, at `rate` [Hz]. Series that are too short give an empty result.
-/// Source: Ljung 1999, System Identification, section 4.2 (ARX model).
+/// Source: Ljung 1999, System Identification, section 4.2 (ARX model); Peeters & De Roeck 2001, J. Dyn. Syst. Meas.
+/// Control 123 (poles that are stable over the order).
 DrivenResponse driven_response(std::span<const double> source, std::span<const double> response, double rate,
                                const DrivenModel& model = {});
 

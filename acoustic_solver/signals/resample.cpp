@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "acoustic_solver/signals/cubic_spline.hpp"
 #include "core/base/error.hpp"
 
 namespace vocalis::acoustic {
@@ -93,41 +94,6 @@ std::vector<double> resample(std::span<const double> values, double rate, double
   return result;
 }
 
-/// Slope at x[0] of the polynomial through the given points (Lagrange).
-double end_slope(std::span<const double> x, std::span<const double> y) {
-  double slope = 0;
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    double weight = 1 / (x[i] - x[0]);
-    for (std::size_t j = 1; j < x.size(); ++j) {
-      if (j != i) weight *= (x[0] - x[j]) / (x[i] - x[j]);
-    }
-    slope += weight * (y[i] - y[0]);
-  }
-  return slope;
-}
-
-/// Slopes of the spline at its points: continuity of the second derivative, solved by the Thomas algorithm.
-std::vector<double> spline_slopes(std::span<const double> x, std::span<const double> y) {
-  const std::size_t count = x.size();
-  const std::size_t few = std::min<std::size_t>(4, count);
-  std::vector<double> x_back(x.rbegin(), x.rbegin() + static_cast<std::ptrdiff_t>(few));
-  std::vector<double> y_back(y.rbegin(), y.rbegin() + static_cast<std::ptrdiff_t>(few));
-  std::vector<double> slope(count);
-  std::vector<double> upper(count, 0.0);
-  slope[0] = end_slope(x.first(few), y.first(few));
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const double left = x[i] - x[i - 1];
-    const double right = x[i + 1] - x[i];
-    const double load = 3 * ((y[i] - y[i - 1]) / left * right + (y[i + 1] - y[i]) / right * left);
-    const double pivot = 2 * (left + right) - right * upper[i - 1];
-    upper[i] = left / pivot;
-    slope[i] = (load - right * slope[i - 1]) / pivot;
-  }
-  slope[count - 1] = end_slope(x_back, y_back);
-  for (std::size_t i = count - 1; i-- > 1;) slope[i] -= upper[i] * slope[i + 1];
-  return slope;
-}
-
 }  // namespace
 
 std::vector<double> resample(std::span<const double> values, double rate, double target_rate) {
@@ -137,19 +103,9 @@ std::vector<double> resample(std::span<const double> values, double rate, double
 std::vector<double> spline_to_uniform(std::span<const double> times, std::span<const double> values, double step,
                                       int count) {
   assert(times.size() == values.size() && times.size() >= 2);
-  const std::vector<double> slope = spline_slopes(times, values);
+  const CubicSpline spline(times, values);
   std::vector<double> result(static_cast<std::size_t>(count));
-  std::size_t i = 0;
-  for (int k = 0; k < count; ++k) {
-    const double time = times[0] + k * step;
-    while (i + 2 < times.size() && time > times[i + 1]) ++i;
-    const double width = times[i + 1] - times[i];
-    const double s = (time - times[i]) / width;
-    // Cubic Hermite polynomial of the interval.
-    result[static_cast<std::size_t>(k)] = (1 + 2 * s) * (1 - s) * (1 - s) * values[i] +
-                                          s * (1 - s) * (1 - s) * width * slope[i] +
-                                          s * s * (3 - 2 * s) * values[i + 1] - s * s * (1 - s) * width * slope[i + 1];
-  }
+  for (int k = 0; k < count; ++k) result[static_cast<std::size_t>(k)] = spline.value(times[0] + k * step);
   return result;
 }
 

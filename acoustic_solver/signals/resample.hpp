@@ -21,8 +21,7 @@ std::vector<double> resample(std::span<const double> values, double rate, double
 /// Throws UserError if the times do not increase.
 std::vector<double> resample(std::span<const double> times, std::span<const double> values, double target_rate);
 
-/// Cubic spline through (times, values) at equally spaced times first + k step, k = 0 .. count - 1; its end slopes are
-/// those of the cubics through the four end points (fewer points: the polynomial through all of them).
+/// The CubicSpline through (times, values) at equally spaced times first + k step, k = 0 .. count - 1.
 std::vector<double> spline_to_uniform(std::span<const double> times, std::span<const double> values, double step,
                                       int count);
 

@@ -163,7 +163,8 @@ std::size_t peak_of_pulse(std::span<const double> flux) {
   return static_cast<std::size_t>(std::max_element(flux.begin(), flux.end(), smaller) - flux.begin());
 }
 
-/// Last step at which the source still says something.
+}  // namespace
+
 std::size_t end_of_pulse(std::span<const double> flux) {
   double largest = 0;
   for (double value : flux) largest = std::max(largest, std::abs(value));
@@ -171,8 +172,6 @@ std::size_t end_of_pulse(std::span<const double> flux) {
   while (end > 0 && std::abs(flux[end - 1]) <= 1e-5 * largest) --end;
   return end;
 }
-
-}  // namespace
 
 double DampedMode::frequency() const { return exponent.imag() / (2 * pi); }
 double DampedMode::bandwidth() const { return -exponent.real() / pi; }

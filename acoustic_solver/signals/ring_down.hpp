@@ -38,6 +38,10 @@ struct RingDown {
 /// Soc. Am. 73 (shift invariance).
 std::vector<DampedMode> damped_modes(std::span<const double> series, double sampling_rate, const RingDown& settings);
 
+/// Samples of a source up to the last one above 1e-5 of its largest: from there on a response rings freely. 0 for
+/// silence.
+std::size_t end_of_pulse(std::span<const double> flux);
+
 /// Result of the pulse mode of a vocal tract.
 struct PulseResponse {
   std::vector<Formant> formants;  ///< rising; `level` is that of the transfer function at the formant

@@ -1,7 +1,5 @@
 #include "coupling/case/case.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -19,17 +17,6 @@ namespace {
 
 using base::UserError;
 
-/// Whether rank 0 can read a file, on every rank. Collective.
-bool is_readable(MPI_Comm comm, const std::string& path) {
-  int readable = 0;
-  if (base::rank(comm) == 0) {
-    std::error_code code;
-    readable = std::filesystem::is_regular_file(path, code) && access(path.c_str(), R_OK) == 0 ? 1 : 0;
-  }
-  MPI_Bcast(&readable, 1, MPI_INT, 0, comm);
-  return readable == 1;
-}
-
 void read_mesh(MPI_Comm comm, base::Table& root, Case& config) {
   base::Table mesh = root.table("mesh");
   if (mesh.has("geometry") == mesh.has("file")) {
@@ -38,19 +25,11 @@ void read_mesh(MPI_Comm comm, base::Table& root, Case& config) {
   }
   config.mesh.is_geometry = mesh.has("geometry");
   const std::string key = config.mesh.is_geometry ? "geometry" : "file";
-  const std::string written = mesh.text(key);
-  const std::filesystem::path path =
-      std::filesystem::absolute(std::filesystem::path(config.file).parent_path() / written).lexically_normal();
-  config.mesh.file = path.string();
-  if (!is_readable(comm, config.mesh.file)) {
-    throw UserError(mesh.place(key) + " must be a file that can be read", "\"" + written + "\" (" + path.string() + ")",
-                    "check the name; it is looked for beside the case file");
-  }
-  if (config.mesh.is_geometry && path.extension() != ".geo") {
-    throw UserError(mesh.place(key) + " must be a Gmsh geometry, *.geo", "\"" + written + "\"",
+  config.mesh.file = read_file_name(comm, mesh, key, config);
+  if (config.mesh.is_geometry && std::filesystem::path(config.mesh.file).extension() != ".geo") {
+    throw UserError(mesh.place(key) + " must be a Gmsh geometry, *.geo", "\"" + config.mesh.file + "\"",
                     "write file = \"...\" for a mesh");
   }
-  mesh.resolve_text(key, config.mesh.file);
   if (!config.mesh.is_geometry) return;
   if (auto parameters = mesh.table_if("parameters")) {
     for (const std::string& name : parameters->keys()) {
@@ -131,7 +110,7 @@ Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::st
   read_flow(root, config);
   read_time(root, config);
   read_acoustics(root, config);
-  read_source(root, config);
+  read_source(comm, root, config);
   read_microphones(root, config);
   read_monitors(root, config);
   read_statistics(root, config);

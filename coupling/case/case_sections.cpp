@@ -1,10 +1,14 @@
 #include "coupling/case/case_sections.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <set>
 
 #include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
 
 namespace vocalis::coupling {
 
@@ -18,6 +22,17 @@ std::array<double, 3> padded(const std::vector<double>& values) {
   return result;
 }
 
+/// Whether rank 0 can read a file, on every rank. Collective.
+bool is_readable(MPI_Comm comm, const std::string& path) {
+  int readable = 0;
+  if (base::rank(comm) == 0) {
+    std::error_code code;
+    readable = std::filesystem::is_regular_file(path, code) && access(path.c_str(), R_OK) == 0 ? 1 : 0;
+  }
+  MPI_Bcast(&readable, 1, MPI_INT, 0, comm);
+  return readable == 1;
+}
+
 void check_plain(const base::Table& table, const std::string& key, const std::string& name) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (!std::all_of(name.begin(), name.end(), plain)) {
@@ -27,6 +42,19 @@ void check_plain(const base::Table& table, const std::string& key, const std::st
 }
 
 }  // namespace
+
+std::string read_file_name(MPI_Comm comm, base::Table& table, const std::string& key, const Case& config) {
+  const std::string written = table.text(key);
+  const std::filesystem::path path =
+      std::filesystem::absolute(std::filesystem::path(config.file).parent_path() / written).lexically_normal();
+  if (!is_readable(comm, path.string())) {
+    throw UserError(table.place(key) + " must be a file that can be read",
+                    "\"" + written + "\" (" + path.string() + ")",
+                    "check the name; it is looked for beside the case file");
+  }
+  table.resolve_text(key, path.string());
+  return path.string();
+}
 
 std::string read_plain_name(base::Table& table, const std::string& key) {
   const std::string name = table.text(key);
@@ -113,42 +141,6 @@ void read_microphones(base::Table& root, Case& config) {
     config.microphones.push_back(microphone);
   }
   reject_duplicates(root, "[[microphone]]", names);
-}
-
-void read_source(base::Table& root, Case& config) {
-  auto table = root.table_if("source");
-  if (!table) return;
-  SourceSettings& source = config.source.emplace();
-  const std::string kind = table->text("kind", {"gaussian_pulse", "lf"});
-  source.group = read_group(*table, config);
-  if (kind == "gaussian_pulse") {
-    acoustic::GaussianPulse pulse;
-    pulse.amplitude = table->number_or("amplitude", pulse.amplitude, base::positive, "m/s");
-    pulse.maximum_frequency = table->number_or("maximum_frequency", pulse.maximum_frequency, base::positive, "Hz");
-    source.pulse = pulse;
-  } else {
-    acoustic::LiljencrantsFantPulse pulse;
-    pulse.fundamental_frequency =
-        table->number_or("fundamental_frequency", pulse.fundamental_frequency, base::positive, "Hz");
-    pulse.excitation = table->number_or("excitation", pulse.excitation, base::positive, "m/s^2");
-    pulse.open_quotient = table->number_or("open_quotient", pulse.open_quotient, base::inside(0, 1));
-    pulse.asymmetry = table->number_or("asymmetry", pulse.asymmetry, base::inside(0.5, 1));
-    pulse.return_quotient = table->number_or("return_quotient", pulse.return_quotient, base::inside(0, 1));
-    if (pulse.open_quotient + pulse.return_quotient >= 1) {
-      throw UserError(table->place("return_quotient") + " plus open_quotient must be less than 1",
-                      std::to_string(pulse.open_quotient + pulse.return_quotient), "shorten one of the two phases");
-    }
-    source.pulse = pulse;
-  }
-  for (acoustic::AcousticSettings& solver : config.acoustics) {
-    for (const acoustic::AcousticBoundary& boundary : solver.boundaries) {
-      if (boundary.group != source.group) continue;
-      throw UserError(
-          table->place("group") + " is where the source enters, so it must not be a boundary of another kind",
-          "\"" + source.group + "\" in [[acoustic.boundary]], too", "leave that boundary out");
-    }
-    solver.boundaries.push_back({.group = source.group, .kind = acoustic::AcousticBoundaryKind::flux});
-  }
 }
 
 }  // namespace vocalis::coupling

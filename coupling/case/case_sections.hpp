@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mpi.h>
+
 #include <string>
 
 #include "core/base/case_table.hpp"
@@ -13,10 +15,13 @@ void read_regions(base::Table& root, Case& config);
 void read_flow(base::Table& root, Case& config);
 void read_time(base::Table& root, Case& config);
 void read_acoustics(base::Table& root, Case& config);
-void read_source(base::Table& root, Case& config);
+void read_source(MPI_Comm comm, base::Table& root, Case& config);  ///< collective
 void read_microphones(base::Table& root, Case& config);
 void read_monitors(base::Table& root, Case& config);
 void read_statistics(base::Table& root, Case& config);
+
+/// The absolute path of a file that is named relative to the case file; resolved.toml gets it, too. Collective.
+std::string read_file_name(MPI_Comm comm, base::Table& table, const std::string& key, const Case& config);
 
 /// A name that becomes part of file names and of column names: letters, digits, "_" and "-".
 std::string read_plain_name(base::Table& table, const std::string& key);

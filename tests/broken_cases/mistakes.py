@@ -30,6 +30,11 @@ def mesh(name, file, *words):
     return Mistake(name, "square.toml", [('file = "two_cells.msh"', f'{key} = "{file}"')], [file, *words])
 
 
+def source(name, keys, *words):
+    """A mistake in a signal as the source; keys beside file."""
+    return Mistake(name, "square.toml", [('kind = "gaussian_pulse"', 'kind = "signal"\n' + keys)], list(words))
+
+
 MISTAKES = [
     # The text of the case
     scene("unknown key", "viscosity = ", "viscosty = ", "scene.toml:28", "viscosty", "did you mean \"viscosity\""),
@@ -116,6 +121,17 @@ MISTAKES = [
     Mistake("regions missing", "square.toml", [('[[region]]\nname = "air"\nkind = "air"\n', "")], ["[[region]]"]),
     Mistake("nothing moves the air", "square.toml", [('[source]\nkind = "gaussian_pulse"\ngroup = "inlet"\n', "")],
             ["[flow]", "[source]"]),
+    Mistake("source of no kind", "square.toml", [('"gaussian_pulse"', '"rosenburg"')], ["source.kind", "rosenberg"]),
+    Mistake("glottis open for longer than a period", "square.toml",
+            [('"gaussian_pulse"', '"rosenberg"\nopen_quotient = 1.2')], ["source.open_quotient", "1.2"]),
+    source("source of no file", "", "source.file is needed"),
+    source("source of a missing file", 'file = "nowhere.wav"', "source.file", "nowhere.wav"),
+    source("source of a letter", 'file = "letter.msh"', "letter.msh", "four samples"),
+    source("source with a row that is no sample", 'file = "words.csv"', "words.csv:3", "one row a sample"),
+    source("source whose time goes back", 'file = "back.csv"', "back.csv", "must increase", "sample 4"),
+    source("source of no column", 'file = "click.csv"\ncolumn = "flov"', "click.csv", 'did you mean "flow"'),
+    source("source that begins with a click", 'file = "click.csv"', "click.csv", "fade"),
+    source("source that is no sound", 'file = "noise.wav"', "noise.wav", "sound file"),
     Mistake("source without sound", "square.toml", [("[[acoustic]]\ndt = 1e-4", ""), ("end = 1e-3", "end = 1e-3\ndt = 1e-4")],
             ["[[acoustic]]"]),
     scene("statistics of no column", "[output]", '[statistics]\nkind = "periodic"\nperiod_of = "flow"\n[output]',

@@ -54,7 +54,7 @@ class Runner:
 
 def copy_scene(folder):
     for path in HERE.iterdir():
-        if path.suffix in (".geo", ".msh", ".toml"):
+        if path.suffix in (".geo", ".msh", ".toml", ".csv", ".wav"):
             shutil.copy(path, folder)
 
 

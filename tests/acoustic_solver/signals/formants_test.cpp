@@ -5,38 +5,23 @@
 #include <complex>
 #include <numbers>
 
-#include "acoustic_solver/pulse.hpp"
 #include "acoustic_solver/signals/spectrum.hpp"
+#include "acoustic_solver/sources/liljencrants_fant.hpp"
+#include "tests/acoustic_solver/signals/synthetic_vowel.hpp"
 
 using namespace vocalis::acoustic;
+using synthetic::Resonance;
+using synthetic::resonate;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Klatt's digital resonator: y_n = A x_n + B y_{n-1} + C y_{n-2}, unit gain at 0 Hz.
-void resonate(std::vector<double>& sound, double frequency, double bandwidth, double rate) {
-  const double c = -std::exp(-2 * pi * bandwidth / rate);
-  const double b = 2 * std::exp(-pi * bandwidth / rate) * std::cos(2 * pi * frequency / rate);
-  double before = 0;
-  double before_that = 0;
-  for (double& value : sound) {
-    value = (1 - b - c) * value + b * before + c * before_that;
-    before_that = before;
-    before = value;
-  }
-}
-
-struct Resonance {
-  double frequency;
-  double bandwidth;
-};
-
 std::vector<double> vowel(const std::vector<Resonance>& tract, double f0, double rate, double duration) {
   const LiljencrantsFantFlux glottis(LiljencrantsFantPulse{f0, 0.4, 0.6, 0.75, 0.01});
   std::vector<double> sound;
   for (int n = 0; n < static_cast<int>(duration * rate); ++n) sound.push_back(glottis.rate(n / rate));
-  for (const Resonance& resonance : tract) resonate(sound, resonance.frequency, resonance.bandwidth, rate);
+  for (const Resonance& resonance : tract) resonate(sound, resonance, rate);
   return sound;
 }
 
@@ -69,7 +54,7 @@ TEST_CASE("a ring-down without window gives formants and bandwidths", "[serial]"
   std::vector<double> sound(2000, 0.0);
   sound[10] = 1;
   const std::vector<Resonance> tract{{600, 60}, {1200, 80}, {2500, 120}, {3400, 150}};
-  for (const Resonance& resonance : tract) resonate(sound, resonance.frequency, resonance.bandwidth, 10000);
+  for (const Resonance& resonance : tract) resonate(sound, resonance, 10000);
   LinearPrediction settings;
   settings.formants = 4;
   settings.pre_emphasis = 1e5;  // none
