@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 
 #include "acoustic_solver/signals/resample.hpp"
 #include "acoustic_solver/signals/voice.hpp"
@@ -170,6 +171,8 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
   }
   if (config.microphones.empty()) return figures;
 
+  std::optional<double> pitch;  // of the folds
+  if (const auto found = figures.values.find("f0_Hz"); found != figures.values.end()) pitch = found->second;
   for (const Channel& channel : channels(config)) {
     const std::string file = (run / channel.file).string();
     const io::Series recorded = io::read_series(file);
@@ -179,7 +182,7 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
     const std::vector<double> source =
         config.source ? from_zero(times, column(recorded, source_column, file)) : volume_flow;
-    SoundAnalysis analysis = analyse_sound(sound, source, analysis_rate, begin_of_voice(config));
+    SoundAnalysis analysis = analyse_sound(sound, source, analysis_rate, begin_of_voice(config), pitch);
     // The first microphone's formants carry the plain names F1_Hz, ...
     add_formants(analysis.formants, figures.sounds.empty() ? "" : "." + channel.suffix, figures);
     if (analysis.pitch) figures.values.try_emplace("f0_Hz", *analysis.pitch);

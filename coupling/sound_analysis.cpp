@@ -20,7 +20,8 @@ std::span<const double> since(std::span<const double> series, double rate, doubl
 
 }  // namespace
 
-SoundAnalysis analyse_sound(std::span<const double> sound, std::span<const double> source, double rate, double begin) {
+SoundAnalysis analyse_sound(std::span<const double> sound, std::span<const double> source, double rate, double begin,
+                            std::optional<double> pitch) {
   SoundAnalysis result;
   const std::span<const double> late = since(sound, rate, begin);
   result.power = acoustic::welch(late, rate, segment);
@@ -45,7 +46,7 @@ SoundAnalysis analyse_sound(std::span<const double> sound, std::span<const doubl
     result.transfer_level = std::move(response.level);
     result.transfer_frequency = std::move(response.frequency);
   }
-  result.pitch = acoustic::fundamental_frequency(late, rate).frequency;
+  result.pitch = pitch ? pitch : acoustic::fundamental_frequency(late, rate).frequency;
   if (result.pitch) result.harmonics = acoustic::harmonics(late, rate, *result.pitch, highest_harmonic);
   return result;
 }

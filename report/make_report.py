@@ -7,6 +7,7 @@ import sys
 import curves
 import page
 import pictures
+import spectrogram
 from read_run import Run
 
 
@@ -41,6 +42,8 @@ def sections(run, folder):
                           lambda: curves.microphones(microphones, folder)) +
                   section("spectra", "Spectra; dashed: fundamental frequency and formants.", spectra,
                           lambda: curves.spectra(spectra, run.results(), folder)) +
+                  section("spectrogram", "Sound over time and frequency; window of 5 ms.", microphones,
+                          lambda: spectrogram.spectrogram(microphones, folder)) +
                   "\n".join(page.sound(path) for path in run.sounds())))
     found.append(("Cost", section("cost", "Wall time by phase of the step.", run.summary.get("phases"),
                                   lambda: curves.cost(run.summary, folder))))

@@ -52,6 +52,18 @@ std::vector<double> gaussian_window(std::size_t length) {
   return window;
 }
 
+/// Where frames of a length begin that follow each other at `step` (perhaps not a whole number of samples), the first
+/// as far from the beginning of the series as the last from its end.
+std::vector<std::size_t> frame_begins(std::size_t series, std::size_t length, double step) {
+  const double room = static_cast<double>(series - length);
+  const double last = std::floor(room / step);
+  std::vector<std::size_t> begins;
+  for (double k = 0; k <= last; ++k) {
+    begins.push_back(static_cast<std::size_t>(std::lround(0.5 * (room - last * step) + k * step)));
+  }
+  return begins;
+}
+
 /// Last place where the level still falls (direction = 1: to the right, -1: to the left) from a peak.
 std::size_t valley(std::span<const double> level, std::size_t peak, int direction, double stop_above) {
   std::size_t lowest = peak;
@@ -111,7 +123,7 @@ std::vector<Formant> formants_by_prediction(std::span<const double> series, doub
   assert(settings.formants > 0 && settings.ceiling > 2 * safety_margin && settings.window_length > 0);
   const double rate = 2 * settings.ceiling;
   const int order = 2 * settings.formants;
-  std::vector<double> sound = resample(series, sampling_rate, rate);
+  std::vector<double> sound = resample_sharply(series, sampling_rate, rate);
   if (sound.size() < static_cast<std::size_t>(2 * order + 2)) return {};
   const double factor = std::exp(-2 * std::numbers::pi * settings.pre_emphasis / rate);
   for (std::size_t n = sound.size(); n-- > 1;) sound[n] -= factor * sound[n - 1];
@@ -119,13 +131,11 @@ std::vector<Formant> formants_by_prediction(std::span<const double> series, doub
     return formants_of_frame(std::span(sound).subspan(1), rate, settings);
   }
   const auto length = std::min(sound.size(), static_cast<std::size_t>(std::lround(2 * settings.window_length * rate)));
-  const auto step =
-      std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(0.25 * settings.window_length * rate)));
   if (length < static_cast<std::size_t>(2 * order + 2)) return {};
   const std::vector<double> window = gaussian_window(length);
   std::vector<std::vector<Formant>> frames;
   std::vector<double> frame(length);
-  for (std::size_t begin = 0; begin + length <= sound.size(); begin += step) {
+  for (const std::size_t begin : frame_begins(sound.size(), length, 0.25 * settings.window_length * rate)) {
     for (std::size_t n = 0; n < length; ++n) frame[n] = window[n] * sound[begin + n];
     frames.push_back(formants_of_frame(frame, rate, settings));
   }

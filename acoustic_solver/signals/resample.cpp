@@ -14,27 +14,30 @@ namespace vocalis::acoustic {
 
 namespace {
 
-// Kaiser 1974: 100 dB need beta = 0.1102 (100 - 8.7), and a transition as wide as 0.1 Nyquist frequencies needs
-// (100 - 7.95) / (14.36 * 0.05) = 128 samples at the lower rate, half of them on each side.
-constexpr double kaiser_beta = 10.06;
-constexpr double pass_edge = 0.9;
-constexpr int half_width = 65;
+constexpr double kaiser_beta = 10.06;    // Kaiser 1974: 100 dB need 0.1102 (100 - 8.7)
 constexpr int points_per_sample = 2048;  // linear interpolation in the table is then exact to 3e-7
 
 /// Low-pass kernel h(x) as a table; x in samples at the lower rate, h even and zero beyond half_width.
 class Kernel {
  public:
-  Kernel() : table_(static_cast<std::size_t>(half_width * points_per_sample + 2), 0.0) {
-    constexpr double cutoff = 0.5 * (1 + pass_edge);  // middle of the transition, in Nyquist frequencies
-    for (int i = 0; i < half_width * points_per_sample; ++i) {
+  /// pass_edge  where the transition to the Nyquist frequency begins, in Nyquist frequencies
+  explicit Kernel(double pass_edge)
+      // A transition as wide as 0.1 needs (100 - 7.95) / (14.36 * 0.05) = 128 samples at the lower rate, half of them
+      // on each side (Kaiser 1974).
+      : half_width_(static_cast<int>(std::ceil(6.5 / (1 - pass_edge) - 1e-9))),
+        table_(static_cast<std::size_t>(half_width_ * points_per_sample + 2), 0.0) {
+    const double cutoff = 0.5 * (1 + pass_edge);  // middle of the transition, in Nyquist frequencies
+    for (int i = 0; i < half_width_ * points_per_sample; ++i) {
       const double x = static_cast<double>(i) / points_per_sample;
       const double angle = std::numbers::pi * cutoff * x;
       const double sinc = i == 0 ? 1.0 : std::sin(angle) / angle;
-      const double ratio = x / half_width;
+      const double ratio = x / half_width_;
       table_[static_cast<std::size_t>(i)] =
           cutoff * sinc * bessel_i0(kaiser_beta * std::sqrt(1 - ratio * ratio)) / bessel_i0(kaiser_beta);
     }
   }
+
+  int half_width() const { return half_width_; }
 
   double operator()(double x) const {
     const double place = std::abs(x) * points_per_sample;
@@ -55,8 +58,14 @@ class Kernel {
     return sum;
   }
 
+  int half_width_;
   std::vector<double> table_;
 };
+
+const Kernel& usual_kernel() {
+  static const Kernel kernel(0.9);
+  return kernel;
+}
 
 /// Value at an index that may lie outside: point reflection about the first or the last sample, once; constant further.
 double reflected(std::span<const double> values, std::int64_t index) {
@@ -69,11 +78,11 @@ double reflected(std::span<const double> values, std::int64_t index) {
   return at(index);
 }
 
-std::vector<double> resample(std::span<const double> values, double rate, double target_rate, double lower_rate) {
+std::vector<double> resample(std::span<const double> values, double rate, double target_rate, double lower_rate,
+                             const Kernel& kernel) {
   assert(rate > 0 && target_rate > 0);
   std::vector<double> result;
   if (values.empty()) return result;
-  static const Kernel kernel;
   const double duration = static_cast<double>(values.size() - 1) / rate;
   const auto count = static_cast<std::int64_t>(std::floor(duration * target_rate + 1e-6)) + 1;
   result.reserve(static_cast<std::size_t>(count));
@@ -81,8 +90,8 @@ std::vector<double> resample(std::span<const double> values, double rate, double
   const auto last = static_cast<std::int64_t>(values.size()) - 1;
   for (std::int64_t k = 0; k < count; ++k) {
     const double place = static_cast<double>(k) * rate / target_rate;
-    const auto begin = static_cast<std::int64_t>(std::ceil(place - half_width / scale));
-    const auto end = static_cast<std::int64_t>(std::floor(place + half_width / scale));
+    const auto begin = static_cast<std::int64_t>(std::ceil(place - kernel.half_width() / scale));
+    const auto end = static_cast<std::int64_t>(std::floor(place + kernel.half_width() / scale));
     const bool inside = begin >= 0 && end <= last;
     double sum = 0;
     for (std::int64_t n = begin; n <= end; ++n) {
@@ -97,7 +106,12 @@ std::vector<double> resample(std::span<const double> values, double rate, double
 }  // namespace
 
 std::vector<double> resample(std::span<const double> values, double rate, double target_rate) {
-  return resample(values, rate, target_rate, std::min(rate, target_rate));
+  return resample(values, rate, target_rate, std::min(rate, target_rate), usual_kernel());
+}
+
+std::vector<double> resample_sharply(std::span<const double> values, double rate, double target_rate) {
+  static const Kernel kernel(0.98);
+  return resample(values, rate, target_rate, std::min(rate, target_rate), kernel);
 }
 
 std::vector<double> spline_to_uniform(std::span<const double> times, std::span<const double> values, double step,
@@ -131,7 +145,8 @@ std::vector<double> resample(std::span<const double> times, std::span<const doub
   const double step = std::max(smallest, mean_step / 16);
   const int count = static_cast<int>(std::floor(duration / step * (1 + 1e-12))) + 1;
   const std::vector<double> uniform = spline_to_uniform(times, values, step, count);
-  std::vector<double> result = resample(uniform, 1 / step, target_rate, std::min(mean_rate, target_rate));
+  std::vector<double> result =
+      resample(uniform, 1 / step, target_rate, std::min(mean_rate, target_rate), usual_kernel());
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "acoustic_solver/sources/rosenberg.hpp"
 #include "core/base/error.hpp"
 #include "core/io/series_reader.hpp"
 
@@ -193,6 +194,35 @@ TEST_CASE("a pulse's ring gives the formant, its bandwidth and the transfer func
   CHECK(figures.values.at("F1_Hz") == Approx(500).epsilon(1e-3));
   CHECK(figures.values.at("B1_Hz") == Approx(60).epsilon(0.02));
   CHECK(io::read_series(folder.file("spectra.csv").string()).find("transfer_dB.mouth"));
+}
+
+TEST_CASE("a source that goes on gives the formant of the response, the pitch and the harmonics", "[serial]") {
+  const Folder folder;
+  {
+    std::ofstream file(folder.file("microphones.csv"));
+    file.precision(17);
+    file << "time_s,source_m_s,pressure_Pa.mouth\n";
+    const acoustic::RosenbergFlux flux({.fundamental_frequency = 125});
+    const double radius = std::exp(-M_PI * 60 * step), turn = 2 * M_PI * 530 * step;  // 530 Hz, 60 Hz wide
+    double last = 0, before = 0;
+    for (int n = 1; n <= 24000; ++n) {
+      const double here = 2 * radius * std::cos(turn) * last - radius * radius * before + flux.rate(n * step);
+      before = last;
+      last = here;
+      file << n * step << ',' << flux.value(n * step) << ',' << 1e-6 * here << '\n';
+    }
+  }
+  const Figures figures = evaluate_run(case_of({"sound"}, false), folder.path());
+  CHECK(figures.values.at("F1_Hz") == Approx(530).epsilon(1e-3));
+  CHECK(figures.values.at("B1_Hz") == Approx(60).epsilon(0.02));
+  CHECK(figures.values.at("f0_Hz") == Approx(125).epsilon(1e-3));
+  const io::Series harmonics = io::read_series(folder.file("harmonics.csv").string());
+  const auto& frequency = *harmonics.find("frequency_Hz.mouth");
+  const auto& loudness = *harmonics.find("level_dB.mouth");
+  REQUIRE(frequency.size() > 10);
+  CHECK(frequency[3] == Approx(500).epsilon(1e-3));
+  const auto loudest = std::max_element(loudness.begin(), loudness.end()) - loudness.begin();
+  CHECK(loudest == 3);  // 500 Hz
 }
 
 TEST_CASE("a run that hardly began is evaluated, too", "[serial]") {

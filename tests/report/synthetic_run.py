@@ -129,7 +129,7 @@ def voice(folder):
                 for i, peak in enumerate((220, 2500, 3200))) / 3
     write_columns(folder / "spectra.csv", {}, {
         "frequency_Hz": frequency, "psd_dB.mouth": level, "psd_dB.far": level - 25, "transfer_dB.mouth": level - 60})
-    with wave.open(str(folder / "microphones_mouth.wav"), "wb") as file:
+    with wave.open(str(folder / "microphone_mouth.wav"), "wb") as file:
         file.setnchannels(1)
         file.setsampwidth(2)
         file.setframerate(20000)

@@ -15,6 +15,7 @@ import numpy  # noqa: E402
 import curves  # noqa: E402
 import fields  # noqa: E402
 import make_report  # noqa: E402
+import spectrogram  # noqa: E402
 import synthetic_run  # noqa: E402
 from read_run import Run  # noqa: E402
 
@@ -65,9 +66,10 @@ class ReportTest(unittest.TestCase):
         synthetic_run.voice(self.folder)
         page = self.report()
         self.assertEqual(self.pictures(), {"mesh", "speed", "pressure", "monitors", "sound", "microphones", "spectra",
-                                           "cost"})
-        self.assertEqual(len(page.images), 8)
+                                           "spectrogram", "cost"})
+        self.assertEqual(len(page.images), 9)
         self.assertNotIn("Not shown", page.text)
+        self.assertIn("<audio", (self.folder / "report.html").read_text(encoding="utf-8"))
         for text in ("synthetic voice", "within", "outside", "312 MiB", "one-dimensional tract"):
             self.assertIn(text, page.text)
 
@@ -89,7 +91,7 @@ class ReportTest(unittest.TestCase):
         for name in ("summary.json", "fields.h5", "spectra.csv", "resolved.toml"):
             (self.folder / name).write_text("neither this nor that {", encoding="utf-8")
         page = self.report()
-        self.assertEqual(self.pictures(), {"monitors", "microphones"})
+        self.assertEqual(self.pictures(), {"monitors", "microphones", "spectrogram"})
         self.assertIn("fields.h5 could not be read", page.text)
 
     def test_a_table_keeps_notes_and_leaves_out_a_row_cut_short(self):
@@ -98,6 +100,14 @@ class ReportTest(unittest.TestCase):
         table = Run(self.folder).history
         self.assertEqual(table.notes, {"density_kg_m3": "1.14"})
         numpy.testing.assert_array_equal(table.columns["gap_m"], [1e-3, 2e-3])
+
+    def test_a_steady_tone_has_its_level_at_its_frequency_in_every_frame_of_the_spectrogram(self):
+        tone = 0.5 * numpy.cos(2 * numpy.pi * 1200 * numpy.arange(4410) / 44100)
+        times, frequency, level = spectrogram.short_time_spectra(tone, 44100)
+        self.assertLess(times[-1], 0.1)
+        numpy.testing.assert_allclose(frequency[level.argmax(axis=0)], 1200, atol=frequency[1])
+        numpy.testing.assert_allclose(level.max(axis=0), 20 * numpy.log10(0.5 / 2**0.5 / 20e-6), atol=0.1)
+        self.assertIsNone(spectrogram.short_time_spectra(tone[:100], 44100))
 
     def test_names_carry_their_units(self):
         self.assertEqual(curves.split_unit("gap_peak_m"), ("gap peak", "m", ""))

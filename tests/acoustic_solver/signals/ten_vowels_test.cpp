@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
 #include <functional>
 
 #include "acoustic_solver/signals/driven_response.hpp"
@@ -32,8 +34,6 @@ double largest_error(const std::vector<double>& source, std::size_t count, doubl
     const std::vector<Formant> found = find(source, sound);
     for (std::size_t k = 0; k < count; ++k) {
       const double here = found.size() > k ? std::abs(found[k].frequency / tract[k].frequency - 1) : 1;
-      INFO(vowel.name << ", F" << k + 1 << ": " << here);
-      CHECK_NOFAIL(here < 0.01);
       error = std::max(error, here);
     }
   }
@@ -85,17 +85,18 @@ TEST_CASE("linear prediction of the sound alone takes a harmonic for F1 where th
   CHECK(by_source(source, sound).front().frequency == Approx(tract[0].frequency).epsilon(1e-3));
 }
 
-TEST_CASE("PROBE", "[.probe]") {
+TEST_CASE("the table of ten vowels", "[.ten_vowels]") {
+  std::puts("largest error of F1, F2, F3, F4 [%]; source known, by noise over sound; then the sound alone");
   for (const double pitch : {100.0, 150.0, 220.0, 300.0}) {
     for (const std::vector<double>& source : voiced_sources(pitch)) {
-      std::printf("%g:", pitch);
-      for (double noise : {0.0, 1e-4, 1e-3, 1e-2}) {
-        std::printf("   ");
-        for (int k = 1; k < 5; ++k) std::printf(" %.5f", largest_error(source, k, noise, by_source));
+      std::printf("%3g Hz ", pitch);
+      for (const double noise : {0.0, 1e-3, 1e-2}) {
+        std::printf(" | %g:", noise);
+        for (std::size_t k = 1; k <= 4; ++k) std::printf(" %.3g", 100 * largest_error(source, k, noise, by_source));
       }
-      std::printf("\n     burg");
-      for (int k = 1; k < 4; ++k) std::printf(" %.5f", largest_error(source, k, 0, by_sound_alone));
-      std::printf("\n");
+      std::printf(" | alone:");
+      for (std::size_t k = 1; k <= 3; ++k) std::printf(" %.3g", 100 * largest_error(source, k, 0, by_sound_alone));
+      std::puts("");
     }
   }
 }
