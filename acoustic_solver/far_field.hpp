@@ -56,6 +56,9 @@ class FarField {
   /// Throws UserError if a vertex of the surface's skin is elsewhere than when the surface was made. Collective.
   void require_still(const mesh::Mesh& mesh, std::span<const double> coordinates) const;
 
+  /// (vertices of the cells along the surface on this rank, 3) [m]
+  std::span<const double> skin_points() const { return skin_points_; }
+
   const State& state() const { return state_; }
   void set_state(State state);
 

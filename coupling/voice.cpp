@@ -1,8 +1,12 @@
 #include "coupling/voice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "acoustic_solver/layer_profile.hpp"
+#include "core/base/error.hpp"
+#include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
 
 namespace vocalis::coupling {
@@ -31,6 +35,23 @@ acoustic::FarFieldSettings far_field(const Scene& scene, const Case& config, con
   return {settings.speed_of_sound, interval, std::move(has_source)};
 }
 
+/// What leaves a layer is no more what came in. Collective.
+void require_undamped(const mesh::Mesh& mesh, const acoustic::AcousticSettings& settings,
+                      const acoustic::Microphones& microphones) {
+  if (microphones.far_fields().empty() || settings.layers.empty()) return;
+  const std::vector<acoustic::LayerSide> sides = acoustic::layer_sides(mesh, settings);
+  double damping = 0;
+  for (const acoustic::FarField& far : microphones.far_fields()) {
+    const auto points = far.skin_points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      damping = std::max(damping, acoustic::damping_up_to(sides, static_cast<int>(i % 3), points[i]));
+    }
+  }
+  if (base::largest(mesh.comm, damping) == 0) return;
+  throw base::UserError("the surface of a far-field microphone lies before the layers that absorb sound",
+                        "cells along it that are damped", "name a surface further in");
+}
+
 }  // namespace
 
 Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings)
@@ -42,6 +63,7 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
       microphones_(scene.acoustic->mesh, config.microphones, far_field(scene, config, settings, cell_has_flow_)),
       rest_coordinates_(scene.acoustic->mesh.coordinates) {
   microphones_.require_inside();
+  require_undamped(scene.acoustic->mesh, settings_, microphones_);
   if (scene.flow) {
     flow_to_acoustic_ = std::make_unique<transfer::SharedVertices>(
         transfer::SharedVertices::between(scene.parent, *scene.flow, *scene.acoustic));

@@ -229,3 +229,18 @@ TEST_CASE("the flow's pressure at a microphone goes straight over a step, and en
     CHECK(block.flow[2 * sample + 1] == 0);
   }
 }
+
+TEST_CASE("a far field through a layer that absorbs sound is the user's mistake") {
+  const auto scene = test::box_scene({0.1, 0.05, 0.05}, {10, 5, 5}, [](const auto&) { return RegionKind::air; });
+  scene->flow.reset();
+  Case config;
+  config.microphones = {{"far", {0.3, 0, 0}, acoustic::MicrophoneKind::far_field, "right", {{0, 0}}}};
+  acoustic::AcousticSettings settings;
+  settings.step = 1e-5;
+  CHECK_NOTHROW(Voice(*scene, config, settings));
+  acoustic::AbsorbingLayer layer;
+  layer.sides = {acoustic::BoxSide::x_max};
+  layer.thickness = 0.03;
+  settings.layers = {layer};
+  CHECK_THROWS_WITH(Voice(*scene, config, settings), Catch::Contains("before the layers"));
+}
