@@ -86,8 +86,9 @@ std::vector<Formant> resonances(const Model& model, const DrivenModel& settings)
   const std::vector<Complex> poles = polynomial_roots(coefficients);
   std::vector<Formant> result;
   for (const Complex& pole : poles) {
-    const double radius = std::abs(pole);
-    if (pole.imag() <= 0 || radius >= 1) continue;
+    if (pole.imag() <= 0) continue;
+    // A pole without losses may come out on the wrong side of the unit circle.
+    const double radius = std::min(std::abs(pole), 1 / std::abs(pole));
     Formant formant;
     formant.frequency = std::arg(pole) * model.rate / (2 * std::numbers::pi);
     formant.bandwidth = -std::log(radius) * model.rate / std::numbers::pi;
