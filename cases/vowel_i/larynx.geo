@@ -1,6 +1,6 @@
 // Plane half model of a larynx with the vocal tract of /i/ and the room before the mouth. [m]
 //
-//    wall ______                 ___ ventricle              ____ tract (story_i.geo)      | baffle
+//    wall ______                 ___ ventricle              ____ tract (area_function.geo)      | baffle
 //               \  fold (body,  |   \                 _____/    \______                   |
 //   lungs        \  cover)      |    \_______________/                 \____          ____| mouth   room
 //    y = 0 - - - -\_____________|- - - - - - - - - - - - - - - - - - - - - -\________/- - - - - - - -

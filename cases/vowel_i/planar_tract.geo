@@ -4,7 +4,7 @@
 // in the first and the last half section.
 // Leaves: p_tract_bottom, p_tract_top (start of midline and wall), tract_midline(), tract_wall() (from start to mouth),
 // l_mouth, surface s_room, curves room_midline, room_baffle, room_arc.
-Include "story_i.geo";
+Include "area_function.geo";
 
 DefineConstant[
   depth = 0.015,            // [m] length of the glottis, turns areas into heights
@@ -28,12 +28,12 @@ For i In {-1 : sections}
     t = (x - tract_start) / section_length - 0.5;
     j = t < 0 ? 0 : Floor(t);
     t = t < 0 ? 0 : t - j;
-    y = ((1 - t) * areas(j) + t * areas(j + 1)) / (2 * depth);
+    y = ((1 - t) * area(j) + t * area(j + 1)) / (2 * depth);
   ElseIf (i == sections)
     x = mouth_x;
-    y = areas(sections - 1) / (2 * depth);
+    y = area(sections - 1) / (2 * depth);
   Else
-    y = areas(i) / (2 * depth);
+    y = area(i) / (2 * depth);
   EndIf
   // A centre that lies before the wall's start, or so near that a sliver would come of it, is left out.
   If (i == -1 || x > tract_wall_start + 0.1 * section_length)

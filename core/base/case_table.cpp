@@ -127,6 +127,11 @@ bool Table::has(const std::string& key) const {
   return node_->find(key) != nullptr;
 }
 
+bool Table::is_array(const std::string& key) const {
+  const TomlNode* child = node_->find(key);
+  return child && child->kind == Kind::array;
+}
+
 std::vector<std::string> Table::keys() const {
   std::vector<std::string> result;
   for (const TomlNode& child : node_->children) result.push_back(child.key);

@@ -38,6 +38,7 @@ class Table {
   explicit Table(TomlNode& root) : node_(&root) {}
 
   bool has(const std::string& key) const;
+  bool is_array(const std::string& key) const;
   std::vector<std::string> keys() const;  ///< for tables whose keys are names that the user chooses
 
   double number(const std::string& key, const Range& range, const std::string& unit = "");

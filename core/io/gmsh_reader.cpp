@@ -9,8 +9,7 @@
 
 namespace vocalis::io {
 
-mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std::map<std::string, double>& parameters,
-                              bool curved) {
+mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const GeoValues& parameters, bool curved) {
   mesh::WholeMesh mesh;
   base::on_first_rank(comm, [&] {
     const GmshSession session(path, parameters, curved);

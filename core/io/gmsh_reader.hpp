@@ -2,9 +2,9 @@
 
 #include <mpi.h>
 
-#include <map>
 #include <string>
 
+#include "core/io/geo_parameters.hpp"
 #include "core/mesh/partition.hpp"
 
 namespace vocalis::io {
@@ -21,8 +21,7 @@ namespace vocalis::io {
 /// returns  the whole mesh on rank 0, its dimension and names everywhere
 /// Collective. Throws UserError on every rank: file missing, Gmsh's own errors with file and line, a parameter that the
 /// geometry does not define, and whatever `read_mesh` rejects.
-mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const std::map<std::string, double>& parameters,
-                              bool curved = false);
+mesh::WholeMesh mesh_geometry(MPI_Comm comm, const std::string& path, const GeoValues& parameters, bool curved = false);
 
 /// Reads any mesh file that Gmsh reads (and meshes one that has no cells yet). The same rules. A file knows no curves
 /// but those of its second-order cells, whose middle nodes are left out unless `curved`.

@@ -44,7 +44,7 @@ void check_last_lines(const std::string& path) {
   }
 }
 
-void check_parameters(const std::string& path, const std::map<std::string, double>& parameters) {
+void check_parameters(const std::string& path, const GeoValues& parameters) {
   if (parameters.empty()) return;
   if (!is_geometry(path)) {
     throw base::UserError(path + ": only a .geo file has parameters", "mesh.parameters." + parameters.begin()->first,
@@ -58,17 +58,22 @@ void check_parameters(const std::string& path, const std::map<std::string, doubl
   }
 }
 
+std::string assignment(const std::string& name, const GeoValues::mapped_type& value) {
+  if (const double* number = std::get_if<double>(&value)) return fmt::format("{} = {:.17g};\n", name, *number);
+  return fmt::format("{}() = {{{:.17g}}};\n", name, fmt::join(std::get<std::vector<double>>(value), ", "));
+}
+
 /// A file of assignments that goes as soon as its scope ends.
 class Prelude {
  public:
-  explicit Prelude(const std::map<std::string, double>& parameters) {
+  explicit Prelude(const GeoValues& parameters) {
     std::string name = (std::filesystem::temp_directory_path() / "vocalis-XXXXXX.geo").string();
     const int file = mkstemps(name.data(), 4);
     if (file < 0) throw base::UserError("the temporary folder must be writable", name, "set TMPDIR to another folder");
     close(file);
     path_ = name;
     std::ofstream stream(path_);
-    for (const auto& [key, value] : parameters) stream << fmt::format("{} = {:.17g};\n", key, value);
+    for (const auto& [key, value] : parameters) stream << assignment(key, value);
   }
   ~Prelude() { unlink(path_.c_str()); }
   Prelude(const Prelude&) = delete;
@@ -113,7 +118,7 @@ void close_library() {
 
 }  // namespace
 
-GmshSession::GmshSession(const std::string& path, const std::map<std::string, double>& parameters, bool curved) {
+GmshSession::GmshSession(const std::string& path, const GeoValues& parameters, bool curved) {
   check_file(path);
   if (is_geometry(path)) check_last_lines(path);
   check_parameters(path, parameters);
@@ -128,7 +133,7 @@ GmshSession::GmshSession(const std::string& path, const std::map<std::string, do
 
 GmshSession::~GmshSession() { close_library(); }
 
-void GmshSession::open(const std::string& path, const std::map<std::string, double>& parameters, bool curved) {
+void GmshSession::open(const std::string& path, const GeoValues& parameters, bool curved) {
   gmsh::option::setNumber("General.Terminal", 0);
   // Threads may finish in any order, and the mesh must be the same each time.
   gmsh::option::setNumber("General.NumThreads", 1);

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <map>
 #include <string>
+
+#include "core/io/geo_parameters.hpp"
 
 namespace vocalis::io {
 
@@ -11,13 +12,13 @@ class GmshSession {
  public:
   /// Opens a file, and meshes it if it came without cells. If `curved`, the linear cells of a geometry get nodes in the
   /// middles of their edges, on its curves and surfaces. Throws UserError with Gmsh's own words.
-  GmshSession(const std::string& path, const std::map<std::string, double>& parameters, bool curved);
+  GmshSession(const std::string& path, const GeoValues& parameters, bool curved);
   ~GmshSession();
   GmshSession(const GmshSession&) = delete;
   GmshSession& operator=(const GmshSession&) = delete;
 
  private:
-  void open(const std::string& path, const std::map<std::string, double>& parameters, bool curved);
+  void open(const std::string& path, const GeoValues& parameters, bool curved);
 };
 
 }  // namespace vocalis::io

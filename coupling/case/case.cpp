@@ -17,6 +17,8 @@ namespace {
 
 using base::UserError;
 
+constexpr std::size_t kLongestList = 10000;  // of a parameter of the geometry
+
 void read_mesh(MPI_Comm comm, base::Table& root, Case& config) {
   base::Table mesh = root.table("mesh");
   if (mesh.has("geometry") == mesh.has("file")) {
@@ -33,7 +35,11 @@ void read_mesh(MPI_Comm comm, base::Table& root, Case& config) {
   if (!config.mesh.is_geometry) return;
   if (auto parameters = mesh.table_if("parameters")) {
     for (const std::string& name : parameters->keys()) {
-      config.mesh.parameters[name] = parameters->number(name, base::any_number);
+      if (parameters->is_array(name)) {
+        config.mesh.parameters[name] = parameters->numbers(name, 1, kLongestList);
+      } else {
+        config.mesh.parameters[name] = parameters->number(name, base::any_number);
+      }
     }
   }
 }

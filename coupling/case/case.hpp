@@ -10,6 +10,7 @@
 
 #include "acoustic_solver/pulse.hpp"
 #include "acoustic_solver/settings.hpp"
+#include "core/io/geo_parameters.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/statistics.hpp"
 #include "fsi_solver/settings.hpp"
@@ -25,9 +26,9 @@ struct Region {
 };
 
 struct MeshSettings {
-  std::string file;                          ///< absolute path of a Gmsh geometry or mesh file
-  bool is_geometry = false;                  ///< Gmsh shall mesh it
-  std::map<std::string, double> parameters;  ///< DefineConstant values of the geometry
+  std::string file;          ///< absolute path of a Gmsh geometry or mesh file
+  bool is_geometry = false;  ///< Gmsh shall mesh it
+  io::GeoValues parameters;  ///< DefineConstant values of the geometry
 };
 
 /// A prescribed glottal signal, the normal velocity of a boundary into the air [m/s]: acoustics alone, without a flow.

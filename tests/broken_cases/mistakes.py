@@ -145,6 +145,7 @@ MISTAKES = [
     # The mesh
     scene("missing geometry", '"scene.geo"', '"nowhere.geo"', "mesh.geometry", "nowhere.geo"),
     scene("geometry and mesh", '"scene.geo"', '"scene.geo"\nfile = "two_cells.msh"', "geometry", "file"),
+    scene("list with a text", "h = 0.002", 'h = [0.002, "wide"]', "mesh.parameters.h", "number"),
     scene("unknown parameter", "h = 0.002", "hh = 0.002", "mesh.parameters", "hh"),
     mesh("empty geometry", "empty.geo"),
     mesh("geometry that Gmsh cannot read", "bad_syntax.geo"),

@@ -23,6 +23,7 @@ name = "example"
 geometry = "example.geo"
 [mesh.parameters]
 half_gap = 2.5e-4
+areas = [0.33, 2]
 [[region]]
 name = "air"
 kind = "fluid"
@@ -121,7 +122,8 @@ TEST_CASE("a case file becomes settings, with the defaults of the structs") {
   CHECK(config.name == "example");
   CHECK(config.mesh.is_geometry);
   CHECK(config.mesh.file == folder.path() + "/example.geo");
-  CHECK(config.mesh.parameters.at("half_gap") == 2.5e-4);
+  CHECK(std::get<double>(config.mesh.parameters.at("half_gap")) == 2.5e-4);
+  CHECK(std::get<std::vector<double>>(config.mesh.parameters.at("areas")) == std::vector<double>{0.33, 2});
   REQUIRE(config.flow.has_value());
   CHECK(config.flow->density == 1.14);
   CHECK(config.flow->viscosity == fsi::FlowSettings().viscosity);

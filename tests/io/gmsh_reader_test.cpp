@@ -62,7 +62,7 @@ double measure(const mesh::Mesh& mesh) {
 TEST_CASE("a geometry is meshed with its parameters, and forgets them afterwards") {
   const TemporaryFolder folder;
   const std::string path = folder.write("rectangle.geo", rectangle + names);
-  const mesh::WholeMesh wide = mesh_geometry(MPI_COMM_WORLD, path, {{"width", 3}, {"height", 2}});
+  const mesh::WholeMesh wide = mesh_geometry(MPI_COMM_WORLD, path, {{"width", 3.0}, {"height", 2.0}});
   CHECK(wide.dimension == 2);
   CHECK(wide.region_names == std::vector<std::string>{"fluid"});
   CHECK(wide.group_names == std::vector<std::string>{"inlet"});
@@ -75,6 +75,24 @@ TEST_CASE("a geometry is meshed with its parameters, and forgets them afterwards
   CHECK(base::sum(MPI_COMM_WORLD, length) == Approx(2));
   const mesh::WholeMesh plain = mesh_geometry(MPI_COMM_WORLD, path, {});
   CHECK(measure(mesh::distribute(MPI_COMM_WORLD, plain)) == Approx(0.5));
+}
+
+TEST_CASE("a parameter of a geometry may be a list of numbers") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("stairs.geo", R"(SetFactory("OpenCASCADE");
+DefineConstant[ heights() = {{1, 2}}, unit = 1 ];
+For i In {0 : #heights() - 1}
+  Rectangle(i + 1) = {i, 0, 0, 1, heights(i) * unit};
+  all(i) = i + 1;
+EndFor
+Physical Surface("steps") = {all()};
+)");
+  const auto area = [&](const GeoValues& values) {
+    return measure(mesh::distribute(MPI_COMM_WORLD, mesh_geometry(MPI_COMM_WORLD, path, values)));
+  };
+  CHECK(area({}) == Approx(3));
+  CHECK(area({{"heights", std::vector<double>{2, 3, 4}}, {"unit", 0.5}}) == Approx(4.5));
+  CHECK(area({{"heights", std::vector<double>{7}}}) == Approx(7));
 }
 
 TEST_CASE("the same geometry gives the same mesh") {
@@ -129,11 +147,11 @@ TEST_CASE("bad meshes are refused on every rank in words that help") {
   CHECK_THAT(error_of([&] { read_mesh(MPI_COMM_WORLD, folder.file("missing.geo")); }), Contains("missing.geo"));
   CHECK_THAT(error_of([&] { read_mesh(MPI_COMM_WORLD, folder.path()); }), Contains("folder"));
   CHECK_THAT(error_of([&] {
-               mesh_geometry(MPI_COMM_WORLD, good, {{"widht", 1}});
+               mesh_geometry(MPI_COMM_WORLD, good, {{"widht", 1.0}});
              }),
              Contains("did you mean \"width\""));
   CHECK_THAT(error_of([&] {
-               mesh_geometry(MPI_COMM_WORLD, good, {{"hidden", 1}});
+               mesh_geometry(MPI_COMM_WORLD, good, {{"hidden", 1.0}});
              }),
              Contains("mesh.parameters.hidden"));
   CHECK_THAT(error_of_file(folder, "syntax.geo", rectangle + "\nPlane Surfac(2) = {1};\n"),
@@ -165,7 +183,7 @@ TEST_CASE("bad meshes are refused on every rank in words that help") {
   const std::string whole = two_triangles("1 1 0", good_cells);
   CHECK_THAT(error_of_file(folder, "cut.msh", whole.substr(0, whole.find("4 0 1"))), Contains("cut.msh"));
   const std::string two = folder.write("two.msh", whole);
-  CHECK_THAT(error_of([&] { mesh_geometry(MPI_COMM_WORLD, two, {{"width", 1}}); }), Contains("only a .geo file"));
+  CHECK_THAT(error_of([&] { mesh_geometry(MPI_COMM_WORLD, two, {{"width", 1.0}}); }), Contains("only a .geo file"));
 }
 
 TEST_CASE("the broken meshes kept for the whole program are refused by name") {

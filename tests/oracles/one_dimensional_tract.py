@@ -1,18 +1,21 @@
 #!/usr/bin/python3
-"""Resonances of vocal tracts and tubes from lossless one-dimensional transfer matrices.
+"""Resonances of vocal tracts and tubes from one-dimensional transfer matrices, without losses or with those of the walls.
 
 The oracle of the acoustic cases: numpy alone, independent of the solver. A duct is a chain of short cylinders,
 
     p_in = cos(kl) p_out + i (rho c / A) sin(kl) U_out,    U_in = i (A / rho c) sin(kl) p_out + cos(kl) U_out,
 
 time convention exp(+i omega t), ended by a radiation impedance. Driven by a volume velocity at the closed glottis, it
-resonates where |U_lips / U_glottis| peaks. In the plane A is the height, a volume velocity per metre of depth.
+resonates where |U_lips / U_glottis| peaks. In the plane A is the height, a volume velocity per metre of depth. Formants are
+the poles of this ratio in the complex plane, which exist where wide peaks run into each other, too.
 
-Run it to print the tables quoted in cases/*/README.md; `--check` compares them with the published numbers.
+Run it to print the tables quoted in cases/*/README.md; `--check` compares them with the published numbers. A case file of
+cases/vowel_i/tract.geo as its argument gives the formants of its areas, rigid and with walls of several admittances.
 """
 
 import math
 import sys
+import tomllib
 
 import numpy
 
@@ -29,13 +32,13 @@ STORY_I = 1e-4 * numpy.array([
 
 def bessel_j1(x, terms=40):
     """J1 by its power series; double precision is kept for |x| < 12."""
-    x = numpy.asarray(x, dtype=float)
-    return sum((-1) ** m * (x / 2) ** (2 * m + 1) / (math.factorial(m) * math.factorial(m + 1)) for m in range(terms))
+    x = numpy.asarray(x)
+    return sum((-1) ** m * (x / 2) ** (2 * m + 1) / float(math.factorial(m) * math.factorial(m + 1)) for m in range(terms))
 
 
 def struve_h1(x, terms=40):
     """The Struve function H1 by its power series; double precision is kept for |x| < 12."""
-    x = numpy.asarray(x, dtype=float)
+    x = numpy.asarray(x)
     return sum((-1) ** m * (x / 2) ** (2 * m + 2) / (math.gamma(m + 1.5) * math.gamma(m + 2.5)) for m in range(terms))
 
 
@@ -67,18 +70,22 @@ def strip_piston(ka, terms=30):
     return (j0 - 1j * y0) / x
 
 
-def chain(lengths, areas, wavenumber, admittance=0.0):
+def chain(lengths, areas, wavenumber, admittance=0.0, slopes=None):
     """The 2 x 2 transfer matrix (p, U) of cylinders from the first to the last; entries one per frequency.
 
     admittance  of locally reacting walls, times rho c; circular sections: k^2 -> k^2 - i k admittance S / A
+    slopes      dR/dx of circular walls: the flow goes along lines that keep their share r / R of the radius, which makes
+                it heavier by 1 + slope^2 / 2; and there is more wall. None: plane waves
     """
     impedance = DENSITY * SPEED_OF_SOUND
     a, b = numpy.ones_like(wavenumber, dtype=complex), numpy.zeros_like(wavenumber, dtype=complex)
     c, d = numpy.zeros_like(a), numpy.ones_like(a)
-    for length, area in zip(lengths, areas):
-        perimeter = 2 * math.sqrt(math.pi * area)
-        inside = numpy.sqrt(wavenumber ** 2 - 1j * wavenumber * admittance * perimeter / area + 0j)
-        ratio = wavenumber / inside
+    slopes = numpy.zeros(len(lengths)) if slopes is None else slopes
+    for length, area, slope in zip(lengths, areas, slopes):
+        inertance = 1 + slope ** 2 / 2
+        perimeter = 2 * math.sqrt(math.pi * area * (1 + slope ** 2))
+        inside = numpy.sqrt(inertance * (wavenumber ** 2 - 1j * wavenumber * admittance * perimeter / area) + 0j)
+        ratio = inertance * wavenumber / inside
         cosine, sine = numpy.cos(inside * length), numpy.sin(inside * length)
         up, down = 1j * sine * impedance * ratio / area, 1j * sine * area / (impedance * ratio)
         a, b = a * cosine + b * down, a * up + b * cosine
@@ -106,21 +113,67 @@ def conical(areas=STORY_I, pieces=12):
     return linear_between_centres(areas, lambda a: numpy.sqrt(a / math.pi), lambda r: math.pi * r ** 2, pieces)
 
 
+def cones(positions, areas, pieces=12):
+    """Circular sections, radius linear between the areas at `positions` [m], the first at the glottis: lengths, areas and
+    slopes."""
+    radius = numpy.sqrt(numpy.asarray(areas) / math.pi)
+    fraction = (numpy.arange(pieces) + 0.5) / pieces
+    inner = (radius[:-1, None] * (1 - fraction) + radius[1:, None] * fraction).ravel()
+    slopes = numpy.repeat(numpy.diff(radius) / numpy.diff(positions), pieces)
+    return numpy.repeat(numpy.diff(positions) / pieces, pieces), math.pi * inner ** 2, slopes
+
+
+def ducts_of_case(path):
+    """The cylinders of a case of cases/vowel_i/tract.geo, and the radius of its mouth [m]."""
+    with open(path, "rb") as file:
+        parameters = tomllib.load(file)["mesh"]["parameters"]
+    areas = parameters.get("area_unit", 1) * numpy.array(parameters["areas"])
+    mouth = math.sqrt(areas[-1] / math.pi)
+    if "stations" in parameters:
+        return cones(parameters.get("station_unit", 1) * numpy.array(parameters["stations"]), areas), mouth
+    section = parameters.get("section_length", STORY_SECTION)
+    length = section * len(areas)
+    positions = numpy.concatenate(([0], section * (numpy.arange(len(areas)) + 0.5), [length]))
+    return cones(positions, numpy.concatenate((areas[:1], areas, areas[-1:]))), mouth
+
+
 def planar(depth=0.015, areas=STORY_I, pieces=12):
     """Plane sections of full height area / depth, linear between centres: cases/vowel_i/larynx.geo [m]."""
     return linear_between_centres(areas, lambda a: a / depth, lambda h: h, pieces)
 
 
-def transfer(frequencies, ducts, radiation, shunt=None, admittance=0.0):
-    """U_lips / U_source. radiation: Z / (rho c) of wavenumber; shunt: admittance seen backwards at the source."""
+def entering(frequencies, ducts, radiation, shunt=None, admittance=0.0):
+    """U_source / U_lips. radiation: Z / (rho c) of wavenumber; shunt: admittance seen backwards at the source."""
     k = 2 * math.pi * frequencies / SPEED_OF_SOUND
-    lengths, areas = ducts
-    a, b, c, d = chain(lengths, areas, k, admittance)
+    lengths, areas, *slopes = ducts
+    a, b, c, d = chain(lengths, areas, k, admittance, *slopes)
     load = radiation(k) * DENSITY * SPEED_OF_SOUND / areas[-1]
-    entering = c * load + d
-    if shunt is not None:
-        entering = entering + shunt(k) * (a * load + b)
-    return 1 / entering
+    flow = c * load + d
+    return flow if shunt is None else flow + shunt(k) * (a * load + b)
+
+
+def transfer(frequencies, ducts, radiation, shunt=None, admittance=0.0):
+    """U_lips / U_source: the inverse of `entering`."""
+    return 1 / entering(frequencies, ducts, radiation, shunt, admittance)
+
+
+def poles(ducts, radiation, admittance=0.0, highest=6000.0):
+    """Resonances as (frequency, bandwidth) [Hz], in rising order: the zeros of U_source / U_lips at complex frequencies
+    f + i b / 2, by Newton's method from a grid of the half plane b > 0."""
+    f, b = numpy.meshgrid(numpy.arange(100.0, highest, 100.0), [0.0, 100.0, 300.0, 600.0, 1000.0, 1500.0])
+    z = (f + 0.5j * b).ravel()
+    for _ in range(15):
+        here = entering(z, ducts, radiation, admittance=admittance)
+        slope = (entering(z + 1e-3, ducts, radiation, admittance=admittance) - here) / 1e-3
+        step = here / slope
+        z = z - step * numpy.minimum(1, 200 / numpy.maximum(numpy.abs(step), 1e-300))
+    found = []
+    for zero, last in sorted(zip(z, step), key=lambda pair: pair[0].real):
+        frequency, bandwidth = zero.real, max(0.0, 2 * zero.imag)
+        is_new = all(abs(frequency - other) > 1 or abs(bandwidth - width) > 1 for other, width in found)
+        if is_new and abs(last) < 1e-3 and 1 < frequency < highest and -0.01 < zero.imag < 1000:
+            found.append((frequency, bandwidth))
+    return found
 
 
 def closed_end_admittance(lengths, areas, k, end=0.0):
@@ -242,7 +295,33 @@ def check(result):
     return wrong
 
 
+def print_case(path):
+    """Formants of a case's areas with a baffled mouth: poles, and the peaks of |U_lips / U_glottis| with their 3 dB
+    bandwidths in brackets [Hz]. Plane waves, pressure being even over each section, are too light, and their resonances
+    too high (Rayleigh's principle); a flow that keeps to its lines is too heavy, and its resonances too low (Kelvin's).
+    """
+    ducts, mouth = ducts_of_case(path)
+
+    def radiation(k):
+        return circular_piston(k * mouth)
+
+    f = numpy.arange(50.0, 5500.0, 1.0)
+    for admittance in (0, 0.005, 0.05):
+        found = {"plane waves, peaks": peaks(f, transfer(f, ducts[:2], radiation, admittance=admittance)),
+                 "plane waves, poles": poles(ducts[:2], radiation, admittance),
+                 "flow lines,  poles": poles(ducts, radiation, admittance)}
+        for kind, row in found.items():
+            text = "  ".join(f"{frequency:7.1f} ({bandwidth:.1f})" for frequency, bandwidth in row)
+            print(f"wall admittance {admittance:<6g} {kind}  {text}")
+
+
 def main(arguments):
+    cases = [argument for argument in arguments if argument.endswith(".toml")]
+    for path in cases:
+        print(path)
+        print_case(path)
+    if cases:
+        return 0
     result = tables()
     for name, row in result.items():
         text = "  ".join(f"{frequency:7.1f} ({bandwidth:.0f})" for frequency, bandwidth in row)
