@@ -14,6 +14,7 @@ cases/vowel_i/tract.geo as its argument gives the formants of its areas, rigid a
 """
 
 import math
+import pathlib
 import sys
 import tomllib
 
@@ -282,12 +283,27 @@ def check(result):
         "/i/ cylinders, baffle, wall admittance 0.005": ([219, 2486, 3178], 2.0),
         "/i/ conical, baffle": ([226, 2497, 3193, 3916], 1.0),
     }
+    arnela, mouth = ducts_of_case(pathlib.Path(__file__).parents[2] / "cases" / "vowel_i" / "tract_arnela.toml")
+    f = numpy.arange(50.0, 4000.0, 0.5)
+
+    def baffled(admittance):
+        return peaks(f, transfer(f, arnela[:2], lambda k: circular_piston(k * mouth), admittance=admittance))
+
+    result = result | {"Arnela's /i/, p = 0": peaks(f, transfer(f, arnela[:2], no_radiation)),
+                       "Arnela's /i/, baffle": baffled(0), "Arnela's /i/, baffle, wall admittance 0.005": baffled(0.005)}
+    published |= {"Arnela's /i/, p = 0": ([225, 2072, 3270, 3678], 1.0),
+                  "Arnela's /i/, baffle": ([223, 2069, 3200, 3564], 1.0),
+                  "Arnela's /i/, baffle, wall admittance 0.005": ([220, 2070, 3234, 3552], 1.0)}
     wrong = []
     for name, (values, tolerance) in published.items():
         found = [frequency for frequency, _ in result[name]]
         for value, computed in zip(values, found + [math.nan] * len(values)):
             if not abs(value - computed) <= tolerance:
                 wrong.append(f"{name}: expected {value} Hz, found {computed} Hz")
+    for name, ducts in (("Story", conical()), ("Arnela", arnela[:2])):
+        dull = peaks(f, transfer(f, ducts, lambda k: circular_piston(k * mouth), admittance=0.05))
+        if any(width < 600 for _, width in dull):
+            wrong.append(f"{name}'s /i/: wall admittance 0.05 should leave no formant below 4 kHz, found {dull}")
     for ka, resistance, reactance in ((0.1, 0.004992, 0.084657), (1, 0.423275, 0.646768), (5, 0.991305, 0.178366)):
         z = circular_piston(numpy.array([float(ka)]))[0]
         if abs(z - complex(resistance, reactance)) > 5e-6:
