@@ -113,10 +113,12 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
   }
 
   if (layers_->exist()) {
+    middle_pressure = state.p;
     for (std::size_t v = 0; v < num_vertices; ++v) {
-      potential[v] = state.psi[v] + b * (state.p[v] + increment[v]) + theta_ * step.dt * convection[v];
+      middle_pressure[v] += increment[v];
+      potential[v] = state.psi[v] + b * middle_pressure[v] + theta_ * step.dt * convection[v];
     }
-    layers_->advance(step.dt, theta_, potential, state);
+    layers_->advance(step.dt, theta_, middle_pressure, potential, state);
   }
   auto& earlier = state.earlier;
   if (earlier.size() == kEarlierPressures) earlier.pop_back();

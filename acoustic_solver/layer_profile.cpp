@@ -57,7 +57,7 @@ double cell_length(const mesh::Mesh& mesh, const LayerSide& side) {
 void check(const AcousticSettings& settings, const AbsorbingLayer& layer) {
   if (!(layer.thickness > 0)) {
     throw UserError(fmt::format("the thickness [m] of a layer of acoustic solver '{}' is positive", settings.name),
-                    fmt::format("{}", layer.thickness), "set thickness to eight cells or more");
+                    fmt::format("{}", layer.thickness), "set thickness to ten cells or more");
   }
   if (!(layer.reflection > 0 && layer.reflection < 1)) {
     throw UserError(
@@ -92,7 +92,7 @@ LayerSide layer_side(const mesh::Mesh& mesh, const AcousticSettings& settings, c
   if (const double length = cell_length(mesh, side); layer.thickness < kLeastCells * length) {
     throw UserError(fmt::format("a layer of acoustic solver '{}' is at least two cells thick", settings.name),
                     fmt::format("thickness {} m, cells of {:.3g} m", layer.thickness, length),
-                    "make it eight to ten cells thick");
+                    "make it ten to sixteen cells thick");
   }
   return side;
 }

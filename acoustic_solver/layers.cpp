@@ -9,6 +9,26 @@
 
 namespace vocalis::acoustic {
 
+namespace {
+
+/// Mean of (x_i - mean) (x_j - mean) over a cell [m^2].
+double covariance(const mesh::Mesh& mesh, std::int32_t cell, int i, int j) {
+  const int n = mesh.dimension + 1;
+  double mean_i = 0, mean_j = 0, product = 0;
+  for (const std::int32_t v : mesh.vertices_of(cell)) {
+    const double* x = mesh.point(v);
+    mean_i += x[i] / n;
+    mean_j += x[j] / n;
+  }
+  for (const std::int32_t v : mesh.vertices_of(cell)) {
+    const double* x = mesh.point(v);
+    product += (x[i] - mean_i) * (x[j] - mean_j);
+  }
+  return product / (n * (n + 1));
+}
+
+}  // namespace
+
 Layers::Layers(const mesh::Mesh& mesh, const AcousticSettings& settings)
     : mesh_(&mesh),
       inverse_bulk_modulus_(1 / (settings.density * settings.speed_of_sound * settings.speed_of_sound)),
@@ -41,6 +61,11 @@ Layers::Layers(const mesh::Mesh& mesh, const AcousticSettings& settings)
       cell.decay[i] = is_sponge ? total : s[i];
       cell.on_gradient[i] = is_sponge ? -total : total - 2 * s[i];
       cell.on_integral[i] = is_sponge ? 0 : s[(i + 1) % 3] * s[(i + 2) % 3];
+      for (int j = 0; j < mesh.dimension; ++j) {
+        const double moment = inverse_bulk_modulus_ * covariance(mesh, c, i, j);
+        if (is_sponge || i == j) cell.moment[i][j] = moment;
+        if (!is_sponge && i != j) cell.damped_moment[i][j] = s[3 - i - j] * moment;
+      }
     }
     cells_.push_back(cell);
   }
@@ -80,35 +105,46 @@ void Layers::add_system_values(double beta, std::vector<double>& values) const {
   for (const Cell& cell : cells_) {
     double* entry = values.data() + static_cast<std::size_t>(cell.cell) * n * n;
     // The 1 of each factor is in the system already.
-    const double mass =
-        (cell.a + beta * (cell.b + beta * cell.g)) * inverse_bulk_modulus_ * cell.measure / (n * (n + 1));
-    double stiffness[3];
+    const double mass = (cell.a + beta * (cell.b + beta * cell.g)) * inverse_bulk_modulus_ * cell.measure / (n * n);
+    double matrix[3][3] = {};
     for (int k = 0; k < d; ++k) {
       const double factor = beta * (cell.on_gradient[k] + beta * cell.on_integral[k]) / (1 + beta * cell.decay[k]);
-      stiffness[k] = beta / density_ * cell.measure * factor;
+      matrix[k][k] = factor * beta / density_;
+      for (int l = 0; l < d; ++l) matrix[k][l] += factor * cell.moment[k][l] / beta + cell.damped_moment[k][l];
     }
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) {
-        double sum = (i == j ? 2 : 1) * mass;
-        for (int k = 0; k < d; ++k) sum += stiffness[k] * cell.gradients[i][k] * cell.gradients[j][k];
-        entry[i * n + j] += sum;
+        double product = 0;
+        for (int k = 0; k < d; ++k) {
+          for (int l = 0; l < d; ++l) product += cell.gradients[i][k] * matrix[k][l] * cell.gradients[j][l];
+        }
+        entry[i * n + j] += mass + cell.measure * product;
       }
     }
   }
 }
 
-double Layers::slope(const Cell& cell, int axis, std::span<const double> values) const {
+std::array<double, 3> Layers::slope(const Cell& cell, std::span<const double> values) const {
   const auto vertices = mesh_->vertices_of(cell.cell);
-  double sum = 0;
-  for (int i = 0; i <= mesh_->dimension; ++i) sum += values[vertices[i]] * cell.gradients[i][axis];
+  std::array<double, 3> sum = {};
+  for (int i = 0; i <= mesh_->dimension; ++i) {
+    for (int k = 0; k < mesh_->dimension; ++k) sum[k] += values[vertices[i]] * cell.gradients[i][k];
+  }
   return sum;
 }
 
-double Layers::flux(const Cell& cell, int axis, double beta, double before, std::span<const double> potential,
-                    std::span<const double> integral) const {
-  double rate = cell.on_gradient[axis] * slope(cell, axis, potential);
-  if (cell.on_integral[axis] != 0) rate += cell.on_integral[axis] * slope(cell, axis, integral);
-  return (before + beta * rate) / (1 + beta * cell.decay[axis]);
+std::array<double, 3> Layers::flux(const Cell& cell, double beta, const double* before, const Slopes& at) const {
+  std::array<double, 3> result = {};
+  for (int k = 0; k < mesh_->dimension; ++k) {
+    double on_gradient = at.potential[k], on_integral = at.integral[k];
+    for (int l = 0; l < mesh_->dimension; ++l) {
+      on_gradient += cell.moment[k][l] * at.rate[l];
+      on_integral += cell.moment[k][l] * at.pressure[l];
+    }
+    const double rate = cell.on_gradient[k] * on_gradient + cell.on_integral[k] * on_integral;
+    result[k] = (before[k] + beta * rate) / (1 + beta * cell.decay[k]);
+  }
+  return result;
 }
 
 std::vector<double> Layers::integral_at(double beta, std::span<const double> potential, const State& state) const {
@@ -124,18 +160,22 @@ void Layers::add_forces(double beta, std::span<const double> pressure, std::span
   const double* before = state.layer_flux.data();
   for (const Cell& cell : cells_) {
     const auto vertices = mesh_->vertices_of(cell.cell);
-    double damped[4], total = 0;
-    for (int i = 0; i <= d; ++i) {
-      const std::int32_t v = vertices[i];
-      damped[i] = cell.a * pressure[v] + cell.b * density_ * potential[v];
-      if (cell.g != 0) damped[i] += cell.g * density_ * integral[v];
-      total += damped[i];
+    double damped = 0;
+    for (const std::int32_t v : vertices) {
+      damped += cell.a * pressure[v] + cell.b * density_ * potential[v];
+      if (cell.g != 0) damped += cell.g * density_ * integral[v];
     }
-    double forward[3] = {0, 0, 0};
-    for (int k = 0; k < d; ++k) forward[k] = flux(cell, k, beta, before[k], potential, integral);
-    const double mass = inverse_bulk_modulus_ * cell.measure / ((d + 1) * (d + 2));
+    Slopes at;
+    at.pressure = slope(cell, pressure);
+    at.potential = slope(cell, potential);
+    if (needs_integral_) at.integral = slope(cell, integral);
+    auto forward = flux(cell, beta, before, at);
+    for (int k = 0; k < d; ++k) {
+      for (int l = 0; l < d; ++l) forward[k] += cell.damped_moment[k][l] * at.pressure[l];
+    }
+    const double mass = inverse_bulk_modulus_ * cell.measure / ((d + 1) * (d + 1));
     for (int i = 0; i <= d; ++i) {
-      double force = mass * (total + damped[i]);
+      double force = mass * damped;
       for (int k = 0; k < d; ++k) force += cell.measure * forward[k] * cell.gradients[i][k];
       sums[vertices[i]] -= force;
     }
@@ -143,14 +183,20 @@ void Layers::add_forces(double beta, std::span<const double> pressure, std::span
   }
 }
 
-void Layers::advance(double dt, double theta, std::span<const double> potential, State& state) const {
-  const std::vector<double> integral = integral_at(theta * dt, potential, state);
+void Layers::advance(double dt, double theta, std::span<const double> pressure, std::span<const double> potential,
+                     State& state) const {
+  const double beta = theta * dt;
+  const std::vector<double> integral = integral_at(beta, potential, state);
   double* flux_of_cell = state.layer_flux.data();
   for (const Cell& cell : cells_) {
-    for (int k = 0; k < mesh_->dimension; ++k) {
-      const double middle = flux(cell, k, theta * dt, flux_of_cell[k], potential, integral);
-      flux_of_cell[k] += (middle - flux_of_cell[k]) / theta;
-    }
+    Slopes at;
+    at.pressure = slope(cell, pressure);
+    at.potential = slope(cell, potential);
+    if (needs_integral_) at.integral = slope(cell, integral);
+    const auto before = slope(cell, state.p);
+    for (int k = 0; k < mesh_->dimension; ++k) at.rate[k] = (at.pressure[k] - before[k]) / beta;
+    const auto middle = flux(cell, beta, flux_of_cell, at);
+    for (int k = 0; k < mesh_->dimension; ++k) flux_of_cell[k] += (middle[k] - flux_of_cell[k]) / theta;
     flux_of_cell += mesh_->dimension;
   }
   for (std::size_t v = 0; v < state.layer_integral.size(); ++v) state.layer_integral[v] += dt * potential[v];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,14 @@ namespace vocalis::acoustic {
 /// are both damped by s = Σ s_i; a = s, b = g = 0, A_i = -s, B_i = 0. Source: Grote & Sim 2010, eqs. 2.16-2.18, written
 /// for ψ; docs/theory.md, "Layers that absorb sound".
 ///
+/// What a mesh of finite cells reflects where s changes is taken out: mass is a cell's mean and what varies about it,
+///
+///   (p, q) = |T| (p̄ q̄ + Σij C_ij ∂_i p ∂_j q),    C the covariance of the cell's points,
+///
+/// and only the mean is stretched with the cell, C is not. So a layer of cells of any damping has the impedance of the
+/// mesh in front of it (Guddati & Lim 2006, for midpoint integration): a, b and g act on p̄ and ψ̄, ∂_i ψ in the equation
+/// of φ becomes ∂_i ψ + C_ii ∂_i ṗ / (ρ c²), ∂_i w likewise ∂_i w + C_ii ∂_i p / (ρ c²), and s_k C_ij ∂_j p is damped.
+///
 /// Layers stand still. Sums over this rank's cells: the caller adds them to the owners.
 class Layers {
  public:
@@ -34,8 +43,8 @@ class Layers {
   bool stand_still(std::span<const double> velocity) const;
 
   /// What the layers add to (1 / beta) mass + (beta / ρ) stiffness, once φ, w and ψ at the θ-point are eliminated:
-  /// 1 + a beta + b beta² + g beta³ times the mass, and 1 + (beta A_i + beta² B_i) / (1 + beta s_i) > 0 times the
-  /// stiffness along axis i. beta = θ dt [s]; values (cells, n, n).
+  /// 1 + a beta + b beta² + g beta³ times the mean mass, and 1 + (beta A_i + beta² B_i) / (1 + beta s_i) > 0 times the
+  /// stiffness and the varying mass along axis i. beta = θ dt [s]; values (cells, n, n).
   void add_system_values(double beta, std::vector<double>& values) const;
 
   /// Adds -(1 / (ρ c²)) (a p + b ρ ψ + g ρ w, q) - (φ, ∇q) at the θ-point, where `pressure` and `potential` are given
@@ -43,26 +52,32 @@ class Layers {
   void add_forces(double beta, std::span<const double> pressure, std::span<const double> potential, const State& state,
                   std::span<double> sums) const;
 
-  /// Moves φ and w of the state on by a step of the θ-scheme with ψ at the θ-point.
-  void advance(double dt, double theta, std::span<const double> potential, State& state) const;
+  /// Moves φ and w of the state, whose p is still that of the beginning, on by a step of the θ-scheme with p and ψ at
+  /// the θ-point.
+  void advance(double dt, double theta, std::span<const double> pressure, std::span<const double> potential,
+               State& state) const;
 
  private:
   struct Cell {
     std::int32_t cell = 0;
-    double measure = 0;           ///< [m^2, m^3]
-    double gradients[4][3] = {};  ///< of the P1 basis [1/m]
-    double a = 0, b = 0, g = 0;   ///< [1/s], [1/s^2], [1/s^3]
-    double decay[3] = {};         ///< s_i [1/s]
-    double on_gradient[3] = {};   ///< A_i [1/s]
-    double on_integral[3] = {};   ///< B_i [1/s^2]
+    double measure = 0;               ///< [m^2, m^3]
+    double gradients[4][3] = {};      ///< of the P1 basis [1/m]
+    double a = 0, b = 0, g = 0;       ///< [1/s], [1/s^2], [1/s^3]
+    double decay[3] = {};             ///< s_i [1/s]
+    double on_gradient[3] = {};       ///< A_i [1/s]
+    double on_integral[3] = {};       ///< B_i [1/s^2]
+    double moment[3][3] = {};         ///< C_ij / (ρ c²) as φ_i needs it [m^2/Pa]
+    double damped_moment[3][3] = {};  ///< s_k C_ij / (ρ c²), i ≠ j ≠ k [m^2/(Pa s)]
   };
   template <int D>
   void measure_cell(Cell& cell) const;
-  /// ∂_i of a P1 function.
-  double slope(const Cell& cell, int axis, std::span<const double> values) const;
-  /// φ_i at the θ-point.
-  double flux(const Cell& cell, int axis, double beta, double before, std::span<const double> potential,
-              std::span<const double> integral) const;
+  /// Gradients in a cell at the θ-point; that of ṗ is 0 where it is not set.
+  struct Slopes {
+    std::array<double, 3> pressure = {}, rate = {}, potential = {}, integral = {};
+  };
+  std::array<double, 3> slope(const Cell& cell, std::span<const double> values) const;
+  /// φ at the θ-point.
+  std::array<double, 3> flux(const Cell& cell, double beta, const double* before, const Slopes& at) const;
   std::vector<double> integral_at(double beta, std::span<const double> potential, const State& state) const;
 
   const mesh::Mesh* mesh_;

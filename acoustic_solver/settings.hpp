@@ -35,7 +35,7 @@ struct AbsorbingLayer {
   LayerKind kind = LayerKind::pml;
   std::vector<BoxSide> sides;
   double thickness = 0;      ///< [m]
-  double reflection = 3e-4;  ///< of a plane wave at a right angle, there and back from a rigid end
+  double reflection = 1e-3;  ///< of a plane wave at a right angle, there and back from a rigid end
 };
 
 /// One acoustic solver: its medium, boundaries and step.

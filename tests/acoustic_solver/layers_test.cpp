@@ -81,15 +81,15 @@ void throws(const AcousticSettings& settings, const std::string& words) {
 }  // namespace
 
 TEST_CASE("a layer takes a plane pulse, whatever its kind, theta and dimension") {
-  // Ten cells with a linear profile: theory of the one-dimensional mesh says 0.0017 (docs/theory.md).
+  // Ten cells. Without the corrections for finite cells 0.0017 would be reflected (docs/theory.md).
   for (const int dimension : {2, 3}) {
     for (const LayerKind kind : {LayerKind::pml, LayerKind::sponge}) {
       AcousticSettings settings = unit_medium();
       settings.layers = {layer(kind, {BoxSide::x_max})};
-      CHECK(reflection(dimension, settings) < 0.0018);
+      CHECK(reflection(dimension, settings) < 8e-4);
       if (dimension == 3) continue;
       settings.theta = 0.6;
-      CHECK(reflection(dimension, settings) < 0.0018);
+      CHECK(reflection(dimension, settings) < 8e-4);
     }
   }
   CHECK(reflection(2, unit_medium()) > 0.5);
