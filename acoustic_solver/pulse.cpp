@@ -11,7 +11,16 @@ Flux flux_of(const LiljencrantsFantPulse& settings) { return LiljencrantsFantFlu
 Flux flux_of(const RosenbergPulse& settings) { return RosenbergFlux(settings); }
 Flux flux_of(const RecordedSignal& settings) { return RecordedFlux(settings); }
 
+std::optional<double> pitch_of(const GaussianPulse&) { return {}; }
+std::optional<double> pitch_of(const LiljencrantsFantPulse& settings) { return settings.fundamental_frequency; }
+std::optional<double> pitch_of(const RosenbergPulse& settings) { return settings.fundamental_frequency; }
+std::optional<double> pitch_of(const RecordedSignal&) { return {}; }
+
 }  // namespace
+
+std::optional<double> prescribed_pitch(const PulseSettings& settings) {
+  return std::visit([](const auto& kind) { return pitch_of(kind); }, settings);
+}
 
 PulseFlux::PulseFlux(const PulseSettings& settings)
     : flux_(std::visit([](const auto& kind) { return flux_of(kind); }, settings)) {}

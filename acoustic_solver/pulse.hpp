@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "acoustic_solver/sources/gaussian_pulse.hpp"
@@ -11,6 +12,10 @@ namespace vocalis::acoustic {
 
 /// What drives the tract when no flow is computed.
 using PulseSettings = std::variant<GaussianPulse, LiljencrantsFantPulse, RosenbergPulse, RecordedSignal>;
+
+/// The pitch that a source has by its settings [Hz]; none: a single pulse, or a signal, whose pitch is to be looked
+/// for.
+std::optional<double> prescribed_pitch(const PulseSettings& settings);
 
 /// A prescribed flux as a function of time, whichever kind.
 class PulseFlux {

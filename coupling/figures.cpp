@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "acoustic_solver/pulse.hpp"
 #include "acoustic_solver/signals/resample.hpp"
 #include "acoustic_solver/signals/voice.hpp"
 #include "core/base/error.hpp"
@@ -171,7 +172,8 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
   }
   if (config.microphones.empty()) return figures;
 
-  std::optional<double> pitch;  // of the folds
+  std::optional<double> pitch;  // of the prescribed source or of the folds
+  if (config.source) pitch = acoustic::prescribed_pitch(config.source->pulse);
   if (const auto found = figures.values.find("f0_Hz"); found != figures.values.end()) pitch = found->second;
   for (const Channel& channel : channels(config)) {
     const std::string file = (run / channel.file).string();

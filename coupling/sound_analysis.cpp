@@ -35,18 +35,19 @@ SoundAnalysis analyse_sound(std::span<const double> sound, std::span<const doubl
     result.transfer_frequency = std::move(response.transfer.frequency);
     return result;
   }
+  const std::span<const double> late_source = since(source, rate, begin);
   if (source.empty()) {
     result.method = "linear prediction of the sound alone (Burg, conventions of Praat)";
     result.formants = acoustic::formants_by_prediction(late, rate, {});
   } else {
-    auto response =
-        acoustic::driven_response(since(source, rate, begin), late, rate, {.maximum_bandwidth = widest_formant});
+    auto response = acoustic::driven_response(late_source, late, rate, {.maximum_bandwidth = widest_formant});
     result.method = "response to the source (ARX models)";
     result.formants = std::move(response.formants);
     result.transfer_level = std::move(response.level);
     result.transfer_frequency = std::move(response.frequency);
   }
-  result.pitch = pitch ? pitch : acoustic::fundamental_frequency(late, rate).frequency;
+  // A resonance that rings on is as periodic as the voice, so the sound is asked only where nothing else is known.
+  result.pitch = pitch ? pitch : acoustic::fundamental_frequency(source.empty() ? late : late_source, rate).frequency;
   if (result.pitch) result.harmonics = acoustic::harmonics(late, rate, *result.pitch, highest_harmonic);
   return result;
 }

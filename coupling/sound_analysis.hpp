@@ -31,7 +31,7 @@ struct SoundAnalysis {
 /// sound   [Pa] from time 0 on
 /// source  at the same times, in any unit; empty: not known
 /// rate    of both [Hz]
-/// pitch   of what makes the sound, if that is known [Hz]; otherwise the sound's own
+/// pitch   of what makes the sound, if that is known [Hz]; otherwise that of the source, or else the sound's own
 /// begin   what is before this time counts neither for level nor spectrum, nor for voiced sound at all [s]
 SoundAnalysis analyse_sound(std::span<const double> sound, std::span<const double> source, double rate, double begin,
                             std::optional<double> pitch = {});

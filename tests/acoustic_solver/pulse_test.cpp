@@ -16,3 +16,10 @@ TEST_CASE("a pulse flux is whichever kind was set", "[serial]") {
   const PulseFlux recorded(RecordedSignal{"made up", {0, 1, 2, 3, 4}, {0, 0, 7, 0, 0}, 0});
   CHECK(recorded.value(2) == Approx(7));
 }
+
+TEST_CASE("voiced pulses know their pitch; a single pulse has none, and a signal does not know it", "[serial]") {
+  CHECK(prescribed_pitch(LiljencrantsFantPulse{.fundamental_frequency = 731}) == 731);
+  CHECK(prescribed_pitch(RosenbergPulse{.fundamental_frequency = 42}) == 42);
+  CHECK(!prescribed_pitch(GaussianPulse{}));
+  CHECK(!prescribed_pitch(RecordedSignal{"made up", {0, 1, 2, 3, 4}, {0, 0, 7, 0, 0}, 0}));
+}

@@ -81,24 +81,28 @@ def compare(name, sound, folder, largest):
     print(f"{name:>12}: f0 {here:.2f} ({pitch:.2f})  {'  '.join(words)}  SPL {loud:.2f} ({level:.2f})")
 
 
-def main():
+def run(look):
+    """Calls look(folder, largest), which compares sounds; the folder is gone afterwards. Returns the exit code."""
     if not shutil.which("praat"):
         probe.skip("the Debian package praat is not installed")
     largest = dict.fromkeys(TOLERANCE, 0.0)
     print("ours (Praat's), Hz and dB")
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        for sound in sys.argv[2:]:
-            compare(pathlib.Path(sound).name, pathlib.Path(sound).resolve(), folder, largest)
-        for number, vowel in enumerate(VOWELS if len(sys.argv) == 2 else ()):
-            for pitch in PITCHES:
-                sound = folder / "vowel.wav"
-                probe.call("vowel", number, pitch, sound)
-                compare(f"{vowel} {pitch} Hz", sound, folder, largest)
+    with tempfile.TemporaryDirectory() as folder:
+        look(pathlib.Path(folder), largest)
     for quantity, tolerance in TOLERANCE.items():
         print(f"largest difference of {quantity}: {largest[quantity]:.2g}, tolerance {tolerance}")
     return any(largest[quantity] > tolerance for quantity, tolerance in TOLERANCE.items())
 
 
+def look(folder, largest):
+    for sound in sys.argv[2:]:
+        compare(pathlib.Path(sound).name, pathlib.Path(sound).resolve(), folder, largest)
+    for number, vowel in enumerate(VOWELS if len(sys.argv) == 2 else ()):
+        for pitch in PITCHES:
+            sound = folder / "vowel.wav"
+            probe.call("vowel", number, pitch, sound)
+            compare(f"{vowel} {pitch} Hz", sound, folder, largest)
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run(look))

@@ -26,7 +26,7 @@ const char* const usage =
     "  amplitude FILE | transfer FILE FILE SEGMENT | resample FILE RATE | harmonics FILE PITCH\n";
 
 /// Half a second of one of the ten vowels, sung by Rosenberg's pulses; about 0.1 Pa. It fades in and out over 50 ms:
-/// after an abrupt end Praat's filter would ring at 5 kHz through the whole record, at a level that weak formants feel.
+/// without that weak formants move in Praat, those of /u/ at 220 Hz by 6.6 %.
 void write_vowel(int number, double pitch, const std::string& path) {
   constexpr double rate = 44100;
   const auto& vowel = synthetic::vowels.at(static_cast<std::size_t>(number));

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "acoustic_solver/sources/liljencrants_fant.hpp"
+#include "tests/acoustic_solver/signals/synthetic_vowel.hpp"
+
 using vocalis::acoustic::driven_response;
+using vocalis::acoustic::LiljencrantsFantFlux;
 
 namespace {
 
@@ -46,6 +50,32 @@ TEST_CASE("resonances are found between the harmonics of a growing voice", "[ser
   REQUIRE(found.formants.size() == 3);
   for (int i = 0; i < 3; ++i) CHECK(found.formants[i].frequency == Approx(formants[i]).epsilon(0.005));
   CHECK(found.misfit < 0.01);
+}
+
+TEST_CASE("resonances without losses are found in voiced sound: poles on the unit circle", "[serial]") {
+  // A duct, driven at its closed end and open at the other one, heard in its middle. With T = 2 L / c for the way there
+  // and back, p(t) = q(t - T / 4) - q(t - 3 T / 4) - p(t - T).
+  const double length = 0.17, speed = 350;
+  const int steps = 44;  // of T
+  const double rate = steps * speed / (2 * length);
+  for (const double pitch : {110.0, 300.0}) {
+    const std::vector<double> source =
+        synthetic::samples(LiljencrantsFantFlux({.fundamental_frequency = pitch}), rate, 0.1);
+    std::vector<double> response(source.size(), 0.0);
+    const auto at = [](const std::vector<double>& series, std::size_t n, int delay) {
+      return n < static_cast<std::size_t>(delay) ? 0 : series[n - delay];
+    };
+    for (std::size_t n = 0; n < source.size(); ++n) {
+      response[n] = at(source, n, steps / 4) - at(source, n, 3 * steps / 4) - at(response, n, steps);
+    }
+    const auto found = driven_response(source, response, rate).formants;
+    REQUIRE(found.size() == 4);  // below 4500 Hz
+    for (int k = 0; k < 4; ++k) {
+      CHECK(found[k].frequency == Approx((2 * k + 1) * speed / (4 * length)).epsilon(1e-3));
+      CHECK(found[k].bandwidth >= 0);
+      CHECK(found[k].bandwidth < 1);
+    }
+  }
 }
 
 TEST_CASE("silence and short series have no driven response", "[serial]") {
