@@ -379,7 +379,7 @@ TEST_CASE("names that the mesh lacks are refused with their place and the neares
     return std::string("no error");
   };
   CHECK_THAT(message(2, {"air", "folds"}, groups),
-             Contains("case.toml:11: region[fold].name") && Contains("\"folds\""));
+             Contains("case.toml:12: region[fold].name") && Contains("\"folds\""));
   CHECK_THAT(message(2, regions, {"inlett", "sides", "open", "surface"}),
              Contains("flow.boundary[inlet].group") && Contains("did you mean \"inlett\""));
   CHECK_THAT(message(2, {"air", "fold", "room"}, groups), Contains("nothing about \"room\""));
