@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "acoustic_solver/explicit_step.hpp"
 #include "acoustic_solver/implicit_step.hpp"
 #include "acoustic_solver/wave_operator.hpp"
 #include "core/base/error.hpp"
@@ -30,23 +32,48 @@ void check(const AcousticSettings& settings) {
     throw base::UserError(fmt::format("theta of acoustic solver '{}' lies in [0.5, 1]", settings.name),
                           fmt::format("{}", settings.theta), "0.5 keeps the energy, more damps it");
   }
+  if (settings.theta != 0.5 && settings.integrator == Integrator::leap_frog) {
+    throw base::UserError(
+        fmt::format("theta of acoustic solver '{}' belongs to the implicit integrator", settings.name),
+        fmt::format("{} with integrator = \"explicit\"", settings.theta),
+        "leave theta out, or set integrator = \"implicit\"");
+  }
 }
 
 }  // namespace
 
 struct AcousticSolver::Discretisation {
-  Discretisation(const mesh::Mesh& on, const AcousticSettings& settings)
+  Discretisation(const mesh::Mesh& on, const AcousticSettings& given)
       : mesh(&on),
+        settings(given),
         space(fem::lagrange(on, 1)),
-        wave(on, space, settings),
-        layers(on, settings),
-        integrator(on, space, wave, layers, settings) {}
+        wave(on, space, given),
+        layers(on, given),
+        leap_frog(on, space, wave, given.density) {}
+
+  ImplicitStep& implicit() {
+    if (!theta_scheme) theta_scheme = std::make_unique<ImplicitStep>(*mesh, space, wave, layers, settings);
+    return *theta_scheme;
+  }
+  void drop() {
+    if (theta_scheme) theta_scheme->drop();
+    leap_frog.drop();
+    bound_standing_still = 0;
+  }
+  /// A bound of the explicit integrator's stable step [s] on the present geometry.
+  double bound() {
+    if (bound_standing_still == 0) bound_standing_still = leap_frog.stable_step(true);
+    return bound_standing_still;
+  }
 
   const mesh::Mesh* mesh;
+  AcousticSettings settings;
   fem::Space space;
   WaveOperator wave;
   Layers layers;
-  ImplicitStep integrator;
+  ExplicitStep leap_frog;
+  std::unique_ptr<ImplicitStep> theta_scheme;  ///< once it is needed
+  double bound_standing_still = 0;             ///< [s]; 0: not known
 };
 
 AcousticSolver::AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& settings) : settings_(settings) {
@@ -68,7 +95,7 @@ void AcousticSolver::set_state(State state) {
   drop_caches();
 }
 
-void AcousticSolver::drop_caches() { discretisation_->integrator.drop(); }
+void AcousticSolver::drop_caches() { discretisation_->drop(); }
 
 void AcousticSolver::adopt(const mesh::Mesh& mesh, State carried) {
   discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
@@ -87,56 +114,97 @@ fem::Field AcousticSolver::pressure() const {
 
 double AcousticSolver::energy() const { return discretisation_->wave.energy(state_.p, state_.psi); }
 
-AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Source& source,
-                                      const std::function<void(double)>& on_substep) {
-  assert(dt > 0 && motion.begin.size() == motion.end.size() && !source.begin == !source.end);
-  auto& [mesh, space, wave, layers, integrator] = *discretisation_;
-  const std::size_t num_coordinates = mesh->coordinates.size();
-  std::vector<double> middle(num_coordinates), velocity;
-  bool moves = !motion.begin.empty() && !std::equal(motion.begin.begin(), motion.begin.end(), motion.end.begin());
-  moves = base::largest(mesh->comm, static_cast<std::int32_t>(moves)) > 0;
+IntegratorChoice AcousticSolver::choice(double dt, bool moves) const {
+  const bool is_open = settings_.integrator == Integrator::automatic;
+  const double stable_step = is_open ? discretisation_->bound() : 0;
+  return choose_integrator(settings_, discretisation_->mesh->dimension, moves, dt, stable_step);
+}
+
+bool AcousticSolver::place(double dt, const Motion& motion) {
+  const mesh::Mesh& mesh = *discretisation_->mesh;
+  WaveOperator& wave = discretisation_->wave;
+  const bool differs = !std::equal(motion.begin.begin(), motion.begin.end(), motion.end.begin());
+  const bool moves = base::largest(mesh.comm, static_cast<std::int32_t>(differs)) > 0;
+  std::vector<double> velocity;
   if (moves) {
-    velocity.resize(num_coordinates);
-    for (std::size_t i = 0; i < num_coordinates; ++i) velocity[i] = (motion.end[i] - motion.begin[i]) / dt;
+    velocity.resize(mesh.coordinates.size());
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = (motion.end[i] - motion.begin[i]) / dt;
   } else {
-    const auto still = motion.begin.empty() ? std::span<const double>(mesh->coordinates) : motion.begin;
+    const auto still = motion.begin.empty() ? std::span<const double>(mesh.coordinates) : motion.begin;
     const auto changed = static_cast<std::int32_t>(wave.set_geometry(still));
-    if (base::largest(mesh->comm, changed) > 0) integrator.drop();
+    if (base::largest(mesh.comm, changed) > 0) discretisation_->drop();
   }
   wave.set_velocity(velocity);
+  const Layers& layers = discretisation_->layers;
   if (moves && layers.exist() && !layers.stand_still(velocity)) {
     throw base::UserError(fmt::format("the mesh in the layers of acoustic solver '{}' stands still", settings_.name),
                           "it moves there", "make the layers thinner or the air wider");
   }
+  return moves;
+}
 
-  const int count = std::max(1, static_cast<int>(std::ceil(dt / settings_.step * (1 - 1e-9))));
-  const double theta = integrator.load_at();
-  const double start = state_.time;
+AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Source& source,
+                                      const std::function<void(double)>& on_substep) {
+  assert(dt > 0 && motion.begin.size() == motion.end.size() && !source.begin == !source.end);
+  auto& here = *discretisation_;
+  const bool moves = place(dt, motion);
+  std::vector<double> coordinates(motion.begin.size());
+  const auto place_at = [&](double at) {
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      coordinates[i] = (1 - at) * motion.begin[i] + at * motion.end[i];
+    }
+    here.wave.set_geometry(coordinates);
+  };
   AdvanceReport report;
+  double stable_step = std::numeric_limits<double>::infinity();
+  if (moves && settings_.integrator != Integrator::implicit) {
+    for (const double at : {0.0, 1.0}) {
+      place_at(at);
+      stable_step = std::min(stable_step, here.leap_frog.stable_step(true));
+    }
+  }
+  const int count = count_sub_steps(dt, settings_.step);
+  const double start = state_.time;
+  const IntegratorChoice chosen =
+      moves ? choose_integrator(settings_, here.mesh->dimension, true, dt, stable_step) : choice(dt, false);
+  const bool is_explicit = chosen.integrator == Integrator::leap_frog;
+  int parts = 1;
+  if (is_explicit) {
+    if (!moves) stable_step = here.leap_frog.stable_step(false);
+    parts = count_sub_steps(dt / count, kPartOfStableStep * stable_step);
+    if (parts == 0) {
+      report.converged = false;
+      report.reason = fmt::format(
+          "the explicit integrator's stable step fell to {:.1e} s: a cell of the moving mesh "
+          "closes",
+          stable_step);
+      return report;
+    }
+  }
+  const double theta = is_explicit ? 0.5 : here.implicit().load_at();
   SubStep step;
   step.dt = dt / count;
   step.moves = moves;
+  step.flux_at = source.flux;
   for (int s = 0; s < count; ++s) {
+    step.begin = start + s * step.dt;
     const double at_theta = (s + theta) / count;
-    if (moves) {
-      const double at_middle = (s + 0.5) / count;
-      for (std::size_t i = 0; i < num_coordinates; ++i) {
-        middle[i] = (1 - at_middle) * motion.begin[i] + at_middle * motion.end[i];
-      }
-      wave.set_geometry(middle);
-    }
-    step.load.assign(mesh->num_vertices(), 0.0);
+    step.place = [&](double part) { place_at((s + part) / count); };
     if (source.begin) {
-      for (std::int32_t v = 0; v < space.dofs.num_owned; ++v) {
+      step.load.assign(here.mesh->num_vertices(), 0.0);
+      step.load_change.assign(here.mesh->num_vertices(), 0.0);
+      for (std::int32_t v = 0; v < here.space.dofs.num_owned; ++v) {
         step.load[v] = (1 - at_theta) * source.begin->values[v] + at_theta * source.end->values[v];
+        step.load_change[v] = (source.end->values[v] - source.begin->values[v]) / count;
       }
     }
-    if (source.flux) {
-      step.flux = (1 - theta) * source.flux(start + s * step.dt) + theta * source.flux(start + (s + 1) * step.dt);
-    }
-    if (!integrator.advance(step, state_, report)) return report;
+    if (source.flux) step.flux = (1 - theta) * source.flux(step.begin) + theta * source.flux(step.begin + step.dt);
+    if (moves && !is_explicit) step.place(0.5);
+    const bool done = is_explicit ? here.leap_frog.advance(step, parts, state_, report)
+                                  : here.implicit().advance(step, state_, report);
+    if (!done) return report;
     state_.time = s + 1 == count ? start + dt : start + (s + 1) * step.dt;
-    ++report.sub_steps;
+    report.sub_steps += parts;
     if (on_substep) on_substep(state_.time);
   }
   return report;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "acoustic_solver/integrator_choice.hpp"
 #include "acoustic_solver/settings.hpp"
 #include "acoustic_solver/state.hpp"
 #include "core/fem/field.hpp"
@@ -30,9 +31,8 @@ struct Source {
 ///
 ///   (1 / (ρ c²)) (ṗ - β·∇p, q) + (∇ψ, ∇q) + <u·n, q> = (Q, q) + <g, q>,     ψ̇ - β·∇ψ = p / ρ at each vertex,
 ///
-/// where the rates are at a fixed vertex, which moves with β. Time: θ-scheme with geometry and β at the middle of the
-/// sub-step; ψ eliminated, so that one symmetric positive definite system gives the pressure, whatever the step. The
-/// terms with β are iterated outside of it. Equations, boundary conditions and accuracy: docs/theory.md.
+/// where the rates are at a fixed vertex, which moves with β. Time: an implicit or an explicit integrator, with
+/// geometry and β at the middle of the sub-step. Equations, boundary conditions and accuracy: docs/theory.md.
 class AcousticSolver {
  public:
   /// Silence on `mesh`, which must outlive the solver or be replaced by `adopt`. PETSc's options begin with
@@ -42,10 +42,14 @@ class AcousticSolver {
   AcousticSolver(AcousticSolver&&) noexcept;
   AcousticSolver& operator=(AcousticSolver&&) noexcept;
 
-  /// Advances by dt [s] > 0 in equal sub-steps no longer than `settings.step`, and calls on_substep(time) after each.
-  /// Collective.
+  /// Advances by dt [s] > 0 in equal sub-steps no longer than `settings.step`, and calls on_substep(time) after each;
+  /// the explicit integrator divides them further where it must. Collective.
   AdvanceReport advance(double dt, const Motion& motion = {}, const Source& source = {},
                         const std::function<void(double)>& on_substep = {});
+
+  /// The integrator for advancing by dt [s] from the present geometry, if the mesh then moves or stands still. While it
+  /// moves the choice is made anew at each `advance`. Collective.
+  IntegratorChoice choice(double dt, bool moves) const;
 
   const State& state() const { return state_; }
   /// Goes on from another state of the same mesh, a checkpoint's; forgets what `drop_caches` forgets.
@@ -63,6 +67,8 @@ class AcousticSolver {
 
  private:
   struct Discretisation;
+  /// Sets velocity, and where nothing moves the geometry; returns whether anything moves.
+  bool place(double dt, const Motion& motion);
 
   AcousticSettings settings_;
   std::unique_ptr<Discretisation> discretisation_;  ///< derived from the mesh and the settings

@@ -65,7 +65,7 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
   wave_->add_stiffness(-1, potential, fixed);
   layers_->add_forces(theta_ * step.dt, state.p, potential, state, fixed);
   space_->halo.add_to_owners(fixed);
-  for (std::size_t v = 0; v < num_vertices; ++v) fixed[v] += step.load[v];
+  for (std::size_t v = 0; v < step.load.size(); ++v) fixed[v] += step.load[v];
 
   std::vector<double> increment = extrapolated_increment(state);
   for (double& value : increment) value *= theta_;

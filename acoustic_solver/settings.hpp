@@ -6,6 +6,12 @@
 
 namespace vocalis::acoustic {
 
+enum class Integrator {
+  automatic,  ///< the cheaper one, by an estimate
+  implicit,   ///< θ-scheme: a linear system a step, of any length
+  leap_frog   ///< explicit: as many sub-steps as stability asks for
+};
+
 enum class AcousticBoundaryKind {
   rigid,             ///< u·n = 0; what an unnamed boundary is
   admittance,        ///< u·n = µ p / (ρ c)
@@ -42,10 +48,11 @@ struct AbsorbingLayer {
 struct AcousticSettings {
   std::string name = "sound";
   std::string analogy = "pressure_rate";
-  double speed_of_sound = 350;     ///< c [m/s]
-  double density = 1.2;            ///< ρ [kg/m^3]
-  double wall_admittance = 0;      ///< µ [-] of every boundary that is not named; 0: rigid
-  double step = 0;                 ///< largest sub-step [s], > 0
+  double speed_of_sound = 350;  ///< c [m/s]
+  double density = 1.2;         ///< ρ [kg/m^3]
+  double wall_admittance = 0;   ///< µ [-] of every boundary that is not named; 0: rigid
+  double step = 0;              ///< largest sub-step [s], > 0
+  Integrator integrator = Integrator::automatic;
   double theta = 0.5;              ///< ½: Crank–Nicolson, no dissipation
   double solver_tolerance = 1e-8;  ///< relative residual of a step's change of pressure
   double source_fade_in = 0;       ///< [s] over which the analogy's source rises

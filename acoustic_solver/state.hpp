@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,17 +17,22 @@ struct State {
   std::vector<std::vector<double>> earlier;  ///< p one, two and three sub-steps ago: for the starting guess alone
 };
 
-/// What an integrator is given for one sub-step.
+/// What an integrator is given for one sub-step. A source varies linearly in it.
 struct SubStep {
+  double begin = 0;          ///< [s]
   double dt = 0;             ///< [s]
   bool moves = false;        ///< some vertex moves during it
-  std::vector<double> load;  ///< (Q, q) where the integrator wants it, at the owners [m^3/s; m^2/s in the plane]
-  double flux = 0;           ///< g there [m/s]
+  std::vector<double> load;  ///< (Q, q) where the integrator wants it, at the owners [m^3/s; m^2/s in the plane];
+                             ///< empty: no source
+  std::vector<double> load_change;        ///< of it, from begin to end; empty: no source
+  double flux = 0;                        ///< g where the integrator wants it [m/s]
+  std::function<double(double)> flux_at;  ///< g at a time [m/s]; empty: none
+  std::function<void(double)> place;      ///< moves the geometry to a part of the sub-step, 0 to 1
 };
 
 struct AdvanceReport {
-  bool converged = true;  ///< else the state is that of the last sub-step that converged
-  int sub_steps = 0;
+  bool converged = true;      ///< else the state is that of the last sub-step that converged
+  int sub_steps = 0;          ///< that the integrator took
   int linear_iterations = 0;  ///< over all sub-steps
   int passes = 0;             ///< linear solves: one a sub-step where the mesh stands still
   std::string reason;         ///< empty when converged

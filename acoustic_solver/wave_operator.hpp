@@ -53,15 +53,20 @@ class WaveOperator {
   /// Owned vertices with p = 0.
   const std::vector<std::int32_t>& released() const { return released_; }
   std::span<const double> coordinates() const { return coordinates_; }
+  const std::vector<BoundaryFacet>& facets() const { return facets_; }
+  double inverse_bulk_modulus() const { return inverse_bulk_modulus_; }
+  /// Of a cell [m^2, m^3].
+  double measure(std::int32_t cell) const { return measures_[cell]; }
+  /// Of the basis function of a cell's vertex [1/m].
+  const double* gradient(std::int32_t cell, int vertex) const {
+    return gradients_.data() + (static_cast<std::size_t>(cell) * (mesh_->dimension + 1) + vertex) * mesh_->dimension;
+  }
+  /// Weight of the pair (i, j) of a facet's vertices, measure / (d (d + 1)) (1 + δij).
+  double facet_weight(const BoundaryFacet& facet) const;
 
  private:
   template <int D>
   void compute_cells(const std::vector<char>& vertex_moved);
-  /// Weight of the pair (i, j) of a facet's vertices, measure / (d (d + 1)) (1 + δij).
-  double facet_weight(const BoundaryFacet& facet) const;
-  const double* gradient(std::int32_t cell, int vertex) const {
-    return gradients_.data() + (static_cast<std::size_t>(cell) * (mesh_->dimension + 1) + vertex) * mesh_->dimension;
-  }
 
   const mesh::Mesh* mesh_;
   const fem::Space* space_;

@@ -68,6 +68,15 @@ void Halo::copy_to_ghosts(std::span<double> values, int block) const {
   check(PetscSFBcastEnd(forest_, unit.get(), values.data(), ghosts, MPI_REPLACE));
 }
 
+void Halo::begin_copy_to_ghosts(std::span<double> values) const {
+  assert(values.size() == static_cast<std::size_t>(num_owned_ + num_ghosts_));
+  check(PetscSFBcastBegin(forest_, MPI_DOUBLE, values.data(), values.data() + num_owned_, MPI_REPLACE));
+}
+
+void Halo::end_copy_to_ghosts(std::span<double> values) const {
+  check(PetscSFBcastEnd(forest_, MPI_DOUBLE, values.data(), values.data() + num_owned_, MPI_REPLACE));
+}
+
 void Halo::copy_to_ghosts(std::span<std::int32_t> values) const {
   check(PetscSFBcastBegin(forest_, MPI_INT32_T, values.data(), values.data() + num_owned_, MPI_REPLACE));
   check(PetscSFBcastEnd(forest_, MPI_INT32_T, values.data(), values.data() + num_owned_, MPI_REPLACE));

@@ -26,6 +26,9 @@ class Halo {
   void copy_to_ghosts(std::span<double> values, int block = 1) const;
   void copy_to_ghosts(std::span<std::int32_t> values) const;
   void copy_to_ghosts(std::span<std::int64_t> values) const;
+  /// The same in two calls, between which the owned values may be read and the ghosts may not.
+  void begin_copy_to_ghosts(std::span<double> values) const;
+  void end_copy_to_ghosts(std::span<double> values) const;
   /// owner += ghosts; the ghosts' own values are left as they were, and mean nothing afterwards
   void add_to_owners(std::span<double> values, int block = 1) const;
   /// owner := smallest (largest) of its own and all ghosts' values

@@ -1,0 +1,44 @@
+#include "acoustic_solver/integrator_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vocalis::acoustic {
+
+namespace {
+
+constexpr double kMostSubSteps = 1e6;
+
+/// What an implicit step costs, in explicit sub-steps of the same mesh.
+/// Measured: tests/benchmarks/acoustic_integrators.cpp.
+double cost_of_implicit_step(int dimension, bool moves) {
+  if (moves) return dimension == 2 ? 8 : 10;
+  return dimension == 2 ? 18 : 25;
+}
+
+}  // namespace
+
+int count_sub_steps(double dt, double longest) {
+  const double count = std::ceil(dt / longest * (1 - 1e-9));
+  return count < kMostSubSteps ? std::max(1, static_cast<int>(count)) : 0;
+}
+
+IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimension, bool moves, double dt,
+                                   double stable_step) {
+  if (settings.integrator != Integrator::automatic) return {settings.integrator, "as the case says"};
+  if (settings.theta != 0.5) return {Integrator::implicit, "theta is not 1/2"};
+  if (!settings.layers.empty()) return {Integrator::implicit, "it knows layers"};
+  const int steps = count_sub_steps(dt, settings.step);
+  const int parts = count_sub_steps(dt / steps, kPartOfStableStep * stable_step);
+  if (parts == 0) return {Integrator::implicit, "a cell has closed"};
+  const double cost = cost_of_implicit_step(dimension, moves);
+  const bool is_explicit = parts <= cost;
+  return {is_explicit ? Integrator::leap_frog : Integrator::implicit,
+          fmt::format("{} explicit sub-steps of {:.2g} s do what one implicit step of {:.2g} s does, at {:.2g} of its "
+                      "cost",
+                      parts, dt / steps / parts, dt / steps, parts / cost)};
+}
+
+}  // namespace vocalis::acoustic
