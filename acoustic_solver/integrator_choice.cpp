@@ -20,6 +20,10 @@ double cost_of_implicit_step(int dimension, bool moves) {
 
 }  // namespace
 
+std::string words(const IntegratorChoice& choice) {
+  return (choice.integrator == Integrator::leap_frog ? "explicit: " : "implicit: ") + choice.reason;
+}
+
 int count_sub_steps(double dt, double longest) {
   const double count = std::ceil(dt / longest * (1 - 1e-9));
   return count < kMostSubSteps ? std::max(1, static_cast<int>(count)) : 0;
@@ -36,9 +40,8 @@ IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimensi
   const double cost = cost_of_implicit_step(dimension, moves);
   const bool is_explicit = parts <= cost;
   return {is_explicit ? Integrator::leap_frog : Integrator::implicit,
-          fmt::format("{} explicit sub-steps of {:.2g} s do what one implicit step of {:.2g} s does, at {:.2g} of its "
-                      "cost",
-                      parts, dt / steps / parts, dt / steps, parts / cost)};
+          fmt::format("{} explicit sub-steps of {:.2g} s cost {:.2g} of an implicit step of {:.2g} s", parts,
+                      dt / steps / parts, parts / cost, dt / steps)};
 }
 
 }  // namespace vocalis::acoustic

@@ -12,6 +12,9 @@ struct IntegratorChoice {
   std::string reason;
 };
 
+/// "explicit: ..."
+std::string words(const IntegratorChoice& choice);
+
 /// Sub-steps of at most `longest` that make up dt; 0 if they were too many to count as steps, since a cell has closed.
 int count_sub_steps(double dt, double longest);
 

@@ -44,7 +44,7 @@ StillLeapFrog::StillLeapFrog(const mesh::Mesh& mesh, const fem::Space& space, co
     : mesh_(&mesh),
       space_(&space),
       density_(density),
-      rows_(assemble_still_rows(mesh, space, wave)),
+      rows_(assemble_still_rows(mesh, wave)),
       terms_(lumped_terms(mesh, space, wave)),
       released_(rows_.num_rows(), 0) {
   std::vector<char> is_released(mesh.num_vertices(), 0);

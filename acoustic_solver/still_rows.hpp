@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "acoustic_solver/wave_operator.hpp"
-#include "core/fem/space.hpp"
 
 namespace vocalis::acoustic {
 
@@ -28,6 +27,6 @@ struct StillRows {
 };
 
 /// On the geometry that `wave` holds, without boundary terms. Collective.
-StillRows assemble_still_rows(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave);
+StillRows assemble_still_rows(const mesh::Mesh& mesh, const WaveOperator& wave);
 
 }  // namespace vocalis::acoustic

@@ -28,7 +28,7 @@ int check(MPI_Comm comm, const Command& command) {
   log.info("{}", config.resolved);
   auto scene = build_scene(comm, config);
   base::Timers timers;
-  const Simulation simulation(*scene, config, timers);
+  Simulation simulation(*scene, config, timers);
 
   const double steps = std::ceil(config.time.end / config.time.step);
   double seconds = 0, bytes = 0;
@@ -42,11 +42,13 @@ int check(MPI_Comm comm, const Command& command) {
     seconds += steps * unknowns * flow_seconds_per_unknown;
     bytes += unknowns * flow_bytes_per_unknown;
   }
-  for (const acoustic::AcousticSettings& settings : config.acoustics) {
+  for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
+    const acoustic::AcousticSettings& settings = config.acoustics[i];
     const double unknowns = 2.0 * static_cast<double>(scene->acoustic->mesh.vertices.num_global);
     const double sub_steps = steps * std::ceil(config.time.step / settings.step - 1e-9);
     log.info("#   {}: {} cells, {:.0f} unknowns, {:.0f} steps", settings.name, scene->acoustic->mesh.cells.num_global,
              unknowns, sub_steps);
+    log.info("#     {}", simulation.voices()[i]->integrator_words());
     seconds += sub_steps * unknowns * acoustic_seconds_per_unknown / base::size(comm);
     bytes += unknowns * acoustic_bytes_per_unknown;
   }

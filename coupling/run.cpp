@@ -82,6 +82,9 @@ class Run {
     facts_ = facts_of_scene(*scene_, *simulation_);
     for (const auto& [mesh, cells] : facts_.cells) log_.info("  {:<9} {:>9} cells", mesh, cells);
     for (const auto& [mesh, unknowns] : facts_.unknowns) log_.info("  {:<9} {:>9} unknowns", mesh, unknowns);
+    for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
+      log_.info("  {:<9} {}", config.acoustics[i].name, simulation_->voices()[i]->integrator_words());
+    }
     if (!goes_on) checkpoint();
   }
 

@@ -57,6 +57,9 @@ void require_undamped(const mesh::Mesh& mesh, const acoustic::AcousticSettings& 
 Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings)
     : scene_(scene),
       settings_(settings),
+      step_(config.time.step),
+      moves_(config.flow && std::any_of(config.regions.begin(), config.regions.end(),
+                                        [](const Region& region) { return region.kind == RegionKind::solid; })),
       analogy_(make_analogy(settings.analogy, settings.density, settings.speed_of_sound)),
       cell_has_flow_(cells_with_flow(scene)),
       solver_(scene.acoustic->mesh, settings),
@@ -69,6 +72,8 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
         transfer::SharedVertices::between(scene.parent, *scene.flow, *scene.acoustic));
   }
 }
+
+std::string Voice::integrator_words() const { return acoustic::words(solver_.choice(step_, moves_)); }
 
 double Voice::fade(double time) const {
   if (time >= settings_.source_fade_in) return 1;

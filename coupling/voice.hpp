@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "acoustic_solver/acoustic_solver.hpp"
@@ -35,6 +36,10 @@ class Voice {
   /// Advances by dt [s] with a prescribed flux g(t) [m/s] instead of a flow. Collective.
   acoustic::AdvanceReport drive(double dt, const std::function<double(double)>& flux);
 
+  /// Which integrator the steps of the case get on the mesh as it is now, and why, in words. While the mesh moves the
+  /// solver chooses anew. Collective.
+  std::string integrator_words() const;
+
   acoustic::AcousticSolver& solver() { return solver_; }
   const acoustic::AcousticSolver& solver() const { return solver_; }
   acoustic::Microphones& microphones() { return microphones_; }
@@ -50,6 +55,8 @@ class Voice {
 
   Scene& scene_;
   acoustic::AcousticSettings settings_;
+  double step_;  ///< of the case [s]
+  bool moves_;   ///< the air, with solids in the flow
   std::unique_ptr<Analogy> analogy_;
   std::vector<std::int32_t> cell_has_flow_;  ///< (owned cells of the acoustic mesh)
   acoustic::AcousticSolver solver_;

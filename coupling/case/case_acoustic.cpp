@@ -10,6 +10,7 @@ namespace vocalis::coupling {
 
 namespace {
 
+using acoustic::Integrator;
 using base::UserError;
 using Kind = acoustic::AcousticBoundaryKind;
 
@@ -77,6 +78,9 @@ void read_acoustics(base::Table& root, Case& config) {
     solver.density = table.number_or("density", solver.density, base::positive, "kg/m^3");
     solver.wall_admittance = table.number_or("wall_admittance", solver.wall_admittance, base::not_negative);
     solver.step = read_step(table, config);
+    solver.integrator = table.choice_or<Integrator>(
+        "integrator", solver.integrator,
+        {{"auto", Integrator::automatic}, {"implicit", Integrator::implicit}, {"explicit", Integrator::leap_frog}});
     solver.theta = table.number_or("theta", solver.theta, base::between(0.5, 1));
     solver.solver_tolerance = table.number_or("solver_tolerance", solver.solver_tolerance, base::inside(0, 1));
     solver.source_fade_in = table.number_or("source_fade_in", solver.source_fade_in, base::not_negative, "s");

@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "tests/verification/acoustic_fields.hpp"
 
@@ -10,17 +13,23 @@ namespace {
 
 using std::numbers::pi;
 
-AcousticSettings unit_medium(double step) {
+AcousticSettings unit_medium(double step, Integrator integrator) {
   AcousticSettings settings;
   settings.density = 1;
   settings.speed_of_sound = 1;
   settings.step = step;
+  settings.integrator = integrator;
   return settings;
 }
 
-/// Sound in a cavity 0 < x < 1 + v t with hard ends, u·n = 0 on the wall that moves too.
+const char* name(Integrator integrator) { return integrator == Integrator::implicit ? "implicit" : "explicit"; }
+
+enum class Ends { hard, released };
+
+/// Sound in a cavity 0 < x < 1 + v t: u·n = 0 at hard ends, the one that moves too, or p = 0 at released ones.
 /// Source: Moore 1970, J. Math. Phys. 11 (the function R of a uniformly moving mirror).
 struct MovingCavity {
+  Ends ends = Ends::hard;
   double v = -0.1;
   int n = 2;
   double length(double t) const { return 1 + v * t; }
@@ -30,47 +39,110 @@ struct MovingCavity {
     const double s = 1 + v * z, a = exponent(), angle = a * std::log(s);
     return s / v * (std::sin(angle) - a * std::cos(angle)) / (1 + a * a);
   }
-  double pressure(double x, double t) const { return -wave(t + x) - wave(t - x); }
-  double potential(double x, double t) const { return -integral(t + x) - integral(t - x); }
+  double pressure(double x, double t) const {
+    return ends == Ends::hard ? -wave(t + x) - wave(t - x) : wave(t + x) - wave(t - x);
+  }
+  double potential(double x, double t) const {
+    return ends == Ends::hard ? -integral(t + x) - integral(t - x) : integral(t + x) - integral(t - x);
+  }
 };
+
+/// Relative error of the pressure at t = 4. The step is h / 4: at h / 2 the errors of space and time of the implicit
+/// integrator nearly cancel, and what remains is the noise, v / c times O(h), of ∇ψ at vertices whose cells lie to one
+/// side.
+///
+/// geometry_at  which part of a step gives the geometry that the solver takes for its middle: 1/2, or 1 for the mistake
+double cavity_error(const MovingCavity& cavity, Integrator integrator, int dimension, int cells,
+                    double geometry_at = 0.5) {
+  const SpaceTime pressure = [&](auto x, double t) { return cavity.pressure(x[0], t); };
+  const SpaceTime potential = [&](auto x, double t) { return cavity.potential(x[0], t); };
+  const double h = 1.0 / cells;
+  mesh::Mesh mesh = box_mesh({1, 2 * h, dimension == 3 ? 2 * h : 0}, {cells, 2, 2});
+  const std::vector<double> reference = mesh.coordinates;
+  const auto at = [&](double t) {
+    std::vector<double> result = reference;
+    for (std::size_t i = 0; i < result.size(); i += dimension) result[i] *= cavity.length(t);
+    return result;
+  };
+  const int steps = 16 * cells;
+  const double dt = 4.0 / steps, late = (geometry_at - 0.5) * dt;
+  AcousticSettings settings = unit_medium(dt, integrator);
+  if (cavity.ends == Ends::released) {
+    settings.boundaries = {{"left", AcousticBoundaryKind::pressure_release},
+                           {"right", AcousticBoundaryKind::pressure_release}};
+  }
+  AcousticSolver solver(mesh, settings);
+  solver.set_state(state_of(mesh, pressure, potential, 0));
+  for (int step = 0; step < steps; ++step) {
+    CHECK(solver.advance(dt, {at(step * dt + late), at((step + 1) * dt + late)}).converged);
+  }
+  mesh.coordinates = at(4);
+  return relative_error(solver, pressure);
+}
 
 }  // namespace
 
-TEST_CASE("V7: sound in a cavity whose hard end moves converges with order 2") {
-  // The step is h / 4: at h / 2 the errors of space and time nearly cancel, and what remains is the noise, v / c times
-  // O(h), of ∇ψ at vertices whose cells lie to one side.
-  const MovingCavity cavity;
-  for (const int dimension : {2, 3}) {
-    const SpaceTime pressure = [&](auto x, double t) { return cavity.pressure(x[0], t); };
-    const SpaceTime potential = [&](auto x, double t) { return cavity.potential(x[0], t); };
-    std::vector<double> errors;
-    for (const int cells : dimension == 2 ? std::vector{20, 40, 80} : std::vector{20, 40}) {
-      const double h = 1.0 / cells;
-      mesh::Mesh mesh = box_mesh({1, 2 * h, dimension == 3 ? 2 * h : 0}, {cells, 2, 2});
-      const std::vector<double> reference = mesh.coordinates;
-      const auto at = [&](double t) {
-        std::vector<double> result = reference;
-        for (std::size_t i = 0; i < result.size(); i += dimension) result[i] *= cavity.length(t);
-        return result;
-      };
-      const int steps = 16 * cells;
-      const double dt = 4.0 / steps;
-      AcousticSolver solver(mesh, unit_medium(dt));
-      solver.set_state(state_of(mesh, pressure, potential, 0));
-      for (int step = 0; step < steps; ++step) {
-        const auto from = at(step * dt), to = at((step + 1) * dt);
-        CHECK(solver.advance(dt, {from, to}).converged);
-        mesh.coordinates = to;
+TEST_CASE("V7: sound in a cavity whose end moves converges with order 2") {
+  for (const Ends ends : {Ends::hard, Ends::released}) {
+    for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
+      for (const int dimension : {2, 3}) {
+        std::vector<double> errors;
+        for (const int cells : dimension == 2 ? std::vector{20, 40, 80} : std::vector{20, 40}) {
+          errors.push_back(cavity_error({ends}, integrator, dimension, cells));
+        }
+        const std::string title = fmt::format("V7 cavity, {} end moves, {}-D, {}",
+                                              ends == Ends::hard ? "hard" : "released", dimension, name(integrator));
+        print_errors(title.c_str(), errors);
+        CHECK(lowest_order(errors) > 1.8);
       }
-      errors.push_back(relative_error(solver, pressure));
     }
-    print_errors(dimension == 2 ? "V7 cavity, moving hard end, 2-D" : "V7 cavity, moving hard end, 3-D", errors);
-    CHECK(lowest_order(errors) == Approx(2).margin(0.2));
+  }
+}
+
+TEST_CASE("V7: with the geometry of the end of the step the order is lost") {
+  for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
+    std::vector<double> errors;
+    for (const int cells : {40, 80, 160}) errors.push_back(cavity_error({}, integrator, 2, cells, 1.0));
+    const std::string title = fmt::format("V7 cavity, geometry of the end, {}", name(integrator));
+    print_errors(title.c_str(), errors);
+    CHECK(lowest_order(errors) < 1.3);
+  }
+}
+
+TEST_CASE("sound in a cavity that is squeezed periodically stays bounded over two hundred squeezes") {
+  // Slowly against the lowest mode: the energy follows the length and comes back to what it was.
+  for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
+    mesh::Mesh mesh = box_mesh({1, 0.5, 0}, {12, 6, 0});
+    const std::vector<double> reference = mesh.coordinates;
+    const double period = 7.3;
+    const auto at = [&](double t) {
+      std::vector<double> result = reference;
+      for (std::size_t i = 0; i < result.size(); i += 2) result[i] *= 1 - 0.1 * std::sin(2 * pi * t / period);
+      return result;
+    };
+    const SpaceTime pressure = [](auto x, double) { return std::cos(pi * x[0]); };
+    const SpaceTime nothing = [](auto, double) { return 0.0; };
+    AcousticSolver solver(mesh, unit_medium(0.05, integrator));
+    solver.set_state(state_of(mesh, pressure, nothing, 0));
+    const double before = solver.energy(), dt = period / 100;
+    double least = before, largest = before;
+    for (int squeeze = 0; squeeze < 200; ++squeeze) {
+      for (int n = 0; n < 100; ++n) solver.advance(dt, {at(n * dt), at((n + 1) * dt)});
+      least = std::min(least, solver.energy());
+      largest = std::max(largest, solver.energy());
+    }
+    print_errors(fmt::format("squeezed cavity, {}, least and largest energy", name(integrator)).c_str(),
+                 {least / before, largest / before}, false);
+    CHECK(least > 0.8 * before);
+    CHECK(largest < 1.25 * before);
   }
 }
 
 TEST_CASE("a plane wave does not feel an inner block of the mesh that moves through it") {
-  for (const int dimension : {2, 3}) {
+  for (const auto& [dimension, integrator] :
+       {std::pair(2, Integrator::implicit), std::pair(3, Integrator::implicit), std::pair(2, Integrator::leap_frog),
+        std::pair(3, Integrator::leap_frog)}) {
+    const int d = dimension;
     const SpaceTime pressure = [](auto x, double t) { return std::cos(2 * pi * x[0]) * std::cos(2 * pi * t); };
     const SpaceTime potential = [](auto x, double t) {
       return std::cos(2 * pi * x[0]) * std::sin(2 * pi * t) / (2 * pi);
@@ -80,21 +152,21 @@ TEST_CASE("a plane wave does not feel an inner block of the mesh that moves thro
       for (const double speed : {0.0, 0.06}) {
         const int across = cells / 2;
         const double width = 0.5;
-        mesh::Mesh mesh = box_mesh({1, width, dimension == 3 ? width : 0}, {cells, across, across});
+        mesh::Mesh mesh = box_mesh({1, width, d == 3 ? width : 0}, {cells, across, across});
         const std::vector<double> reference = mesh.coordinates;
         const auto at = [&](double t) {
           std::vector<double> result = reference;
           for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
-            double* x = result.data() + static_cast<std::size_t>(v) * dimension;
+            double* x = result.data() + static_cast<std::size_t>(v) * d;
             double inside = std::min({1.0, 4 * x[0], 4 * (1 - x[0])});
-            for (int k = 1; k < dimension; ++k) inside = std::min({inside, 4 * x[k] / width, 4 * (1 - x[k] / width)});
+            for (int k = 1; k < d; ++k) inside = std::min({inside, 4 * x[k] / width, 4 * (1 - x[k] / width)});
             x[0] += inside * speed * t;
           }
           return result;
         };
         const int steps = 2 * cells;
         const double dt = 1.2 / steps;
-        AcousticSolver solver(mesh, unit_medium(dt));
+        AcousticSolver solver(mesh, unit_medium(dt, integrator));
         solver.set_state(state_of(mesh, pressure, potential, 0));
         for (int step = 0; step < steps; ++step) {
           const auto from = at(step * dt), to = at((step + 1) * dt);
@@ -104,8 +176,8 @@ TEST_CASE("a plane wave does not feel an inner block of the mesh that moves thro
         (speed == 0 ? still : moving).push_back(relative_error(solver, pressure));
       }
     }
-    print_errors(dimension == 2 ? "plane wave, still mesh, 2-D" : "plane wave, still mesh, 3-D", still);
-    print_errors(dimension == 2 ? "plane wave, block moving through it, 2-D" : "plane wave, block moving, 3-D", moving);
+    print_errors(fmt::format("plane wave, still mesh, {}-D, {}", d, name(integrator)).c_str(), still);
+    print_errors(fmt::format("plane wave, block moving through it, {}-D, {}", d, name(integrator)).c_str(), moving);
     CHECK(std::log2(moving[1] / moving[2]) > 1.8);
     CHECK(moving.back() < 2 * still.back());
   }
