@@ -115,7 +115,7 @@ fem::Field AcousticSolver::pressure() const {
 double AcousticSolver::energy() const { return discretisation_->wave.energy(state_.p, state_.psi); }
 
 IntegratorChoice AcousticSolver::choice(double dt, bool moves) const {
-  const bool is_open = settings_.integrator == Integrator::automatic;
+  const bool is_open = settings_.integrator == Integrator::automatic && !moves;
   const double stable_step = is_open ? discretisation_->bound() : 0;
   return choose_integrator(settings_, discretisation_->mesh->dimension, moves, dt, stable_step);
 }
@@ -157,7 +157,7 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   };
   AdvanceReport report;
   double stable_step = std::numeric_limits<double>::infinity();
-  if (moves && settings_.integrator != Integrator::implicit) {
+  if (moves && settings_.integrator == Integrator::leap_frog) {
     for (const double at : {0.0, 1.0}) {
       place_at(at);
       stable_step = std::min(stable_step, here.leap_frog.stable_step(true));
@@ -165,9 +165,7 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   }
   const int count = count_sub_steps(dt, settings_.step);
   const double start = state_.time;
-  const IntegratorChoice chosen =
-      moves ? choose_integrator(settings_, here.mesh->dimension, true, dt, stable_step) : choice(dt, false);
-  const bool is_explicit = chosen.integrator == Integrator::leap_frog;
+  const bool is_explicit = choice(dt, moves).integrator == Integrator::leap_frog;
   int parts = 1;
   if (is_explicit) {
     if (!moves) stable_step = here.leap_frog.stable_step(false);

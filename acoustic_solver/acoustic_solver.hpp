@@ -47,8 +47,8 @@ class AcousticSolver {
   AdvanceReport advance(double dt, const Motion& motion = {}, const Source& source = {},
                         const std::function<void(double)>& on_substep = {});
 
-  /// The integrator for advancing by dt [s] from the present geometry, if the mesh then moves or stands still. While it
-  /// moves the choice is made anew at each `advance`. Collective.
+  /// The integrator for advancing by dt [s] from the present geometry, if the mesh then moves or stands still. The
+  /// choice is made anew at each `advance`. Collective.
   IntegratorChoice choice(double dt, bool moves) const;
 
   const State& state() const { return state_; }

@@ -36,8 +36,7 @@ class Voice {
   /// Advances by dt [s] with a prescribed flux g(t) [m/s] instead of a flow. Collective.
   acoustic::AdvanceReport drive(double dt, const std::function<double(double)>& flux);
 
-  /// Which integrator the steps of the case get on the mesh as it is now, and why, in words. While the mesh moves the
-  /// solver chooses anew. Collective.
+  /// Which integrator the steps of the case get on the mesh as it is now, and why, in words. Collective.
   std::string integrator_words() const;
 
   acoustic::AcousticSolver& solver() { return solver_; }

