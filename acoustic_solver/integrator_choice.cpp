@@ -31,7 +31,7 @@ IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimensi
   if (settings.integrator != Integrator::automatic) return {settings.integrator, "as the case says"};
   if (settings.theta != 0.5) return {Integrator::implicit, "theta is not 1/2"};
   if (!settings.layers.empty()) return {Integrator::implicit, "it knows layers"};
-  // Measured: on a cavity that is squeezed for long the explicit terms with β grow.
+  // Loops over cells, several times for the terms with β, cost a multiple of sweeps over assembled rows.
   if (moves) return {Integrator::implicit, "the mesh moves"};
   const int steps = count_sub_steps(dt, settings.step);
   const int parts = count_sub_steps(dt / steps, kPartOfStableStep * stable_step);

@@ -8,7 +8,7 @@
 namespace vocalis::acoustic {
 
 /// The explicit scheme on a mesh that moves: loops over the cells, with the geometry of the middle of each sub-step.
-/// The terms with β are those of `WaveOperator`, in predictor and corrector, of second order.
+/// The terms with β are those of `WaveOperator`, iterated towards the middle of the step.
 class MovingLeapFrog {
  public:
   /// All must outlive it. Collective.

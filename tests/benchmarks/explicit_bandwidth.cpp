@@ -41,7 +41,7 @@ mesh::Mesh build(int cells) {
 
 /// [s], of the slowest rank.
 template <class Work>
-double seconds(const Work& work) {
+double seconds(Work&& work) {
   MPI_Barrier(MPI_COMM_WORLD);
   const auto start = std::chrono::steady_clock::now();
   work();
