@@ -52,7 +52,7 @@ struct AcousticSettings {
   double density = 1.2;         ///< ρ [kg/m^3]
   double wall_admittance = 0;   ///< µ [-] of every boundary that is not named; 0: rigid
   double step = 0;              ///< largest sub-step [s], > 0
-  Integrator integrator = Integrator::automatic;
+  Integrator integrator = Integrator::implicit;
   double theta = 0.5;              ///< ½: Crank–Nicolson, no dissipation
   double solver_tolerance = 1e-8;  ///< relative residual of a step's change of pressure
   double source_fade_in = 0;       ///< [s] over which the analogy's source rises
