@@ -38,6 +38,11 @@ void check(const AcousticSettings& settings) {
         fmt::format("{} with integrator = \"explicit\"", settings.theta),
         "leave theta out, or set integrator = \"implicit\"");
   }
+  if (!settings.layers.empty() && settings.integrator == Integrator::leap_frog) {
+    throw base::UserError(
+        fmt::format("absorbing layers of acoustic solver '{}' need the implicit integrator", settings.name),
+        "integrator = \"explicit\"", "set integrator = \"implicit\" or \"auto\", or take the layers out");
+  }
 }
 
 }  // namespace

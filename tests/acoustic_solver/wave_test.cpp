@@ -232,6 +232,17 @@ TEST_CASE("theta and the choice of the integrator go together") {
   CHECK_THROWS_AS(AcousticSolver(mesh, settings), base::UserError);
 }
 
+TEST_CASE("absorbing layers are for the implicit integrator, and the automatic choice knows") {
+  const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 8);
+  AcousticSettings settings = unit_medium(0.05, Integrator::automatic);
+  settings.layers = {{LayerKind::pml, {BoxSide::x_max}, 0.25}};
+  const IntegratorChoice choice = AcousticSolver(mesh, settings).choice(0.05, false);
+  CHECK(choice.integrator == Integrator::implicit);
+  CHECK_THAT(words(choice), Catch::Contains("layers"));
+  settings.integrator = Integrator::leap_frog;
+  CHECK_THROWS_WITH(AcousticSolver(mesh, settings), Catch::Contains("layers"));
+}
+
 TEST_CASE("a cell that closes ends the explicit integrator with a reason, and the automatic one goes on") {
   const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, 2, 8);
   std::vector<double> closed = mesh.coordinates;

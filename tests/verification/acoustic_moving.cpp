@@ -95,18 +95,38 @@ TEST_CASE("V7: sound in a cavity whose end moves converges with order 2, and the
                                               ends == Ends::hard ? "hard" : "released", dimension, name(integrator));
         print_errors(title.c_str(), by);
       }
-      CHECK(lowest_order(errors[0]) > 1.8);
+      CHECK(lowest_order(errors[0]) == Approx(2).margin(0.2));
+      // The rest after its smaller errors of order 2 is of order 1: see the next test.
+      CHECK(lowest_order(errors[1]) > 1);
       for (std::size_t level = 0; level < errors[0].size(); ++level) CHECK(errors[1][level] < 0.75 * errors[0][level]);
     }
   }
 }
 
+TEST_CASE("V7: what keeps the explicit integrator from order 2 is a term v / c times O(h)") {
+  // The noise of ∇ψ at vertices with cells to one side; the implicit integrator's errors of order 2 hide it.
+  std::vector<double> fast, slow;
+  for (const int cells : {20, 40, 80}) {
+    fast.push_back(cavity_error({Ends::released, -0.1}, Integrator::leap_frog, 2, cells));
+    slow.push_back(cavity_error({Ends::released, -0.01}, Integrator::leap_frog, 2, cells));
+  }
+  print_errors("V7 cavity, end at 0.1 c, explicit", fast);
+  print_errors("V7 cavity, end at 0.01 c, explicit", slow);
+  CHECK(lowest_order(slow) == Approx(2).margin(0.2));
+  CHECK(lowest_order(fast) < 1.3);
+}
+
 TEST_CASE("V7: with the geometry of the end of the step the order is lost") {
   for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
-    std::vector<double> errors;
-    for (const int cells : {40, 80, 160}) errors.push_back(cavity_error({}, integrator, 2, cells, 1.0));
-    print_errors(fmt::format("V7 cavity, geometry of the end, {}", name(integrator)).c_str(), errors);
-    CHECK(lowest_order(errors) < 1.5);
+    std::vector<double> of_middle, of_end;
+    for (const int cells : {40, 80}) {
+      of_middle.push_back(cavity_error({}, integrator, 2, cells));
+      of_end.push_back(cavity_error({}, integrator, 2, cells, 1.0));
+    }
+    print_errors(fmt::format("V7 cavity, geometry of the middle, {}", name(integrator)).c_str(), of_middle);
+    print_errors(fmt::format("V7 cavity, geometry of the end, {}", name(integrator)).c_str(), of_end);
+    CHECK(lowest_order(of_end) < lowest_order(of_middle) - 0.3);
+    CHECK(of_end.back() > 1.5 * of_middle.back());
   }
 }
 
