@@ -1,4 +1,5 @@
 # vocalis_test(FOLDER LINK targets... RANKS n... LABELS label...): tests tagged [serial] run on one rank only.
+# Hidden tests, [.], must be left out by name beside another filter.
 function(vocalis_test name)
   cmake_parse_arguments(ARG "" "" "LINK;RANKS;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp
@@ -12,7 +13,7 @@ function(vocalis_test name)
   foreach(ranks IN LISTS ARG_RANKS)
     set(filter "")
     if(ranks GREATER 1)
-      set(filter "~[serial]")
+      set(filter "~[serial]~[.]")
     endif()
     add_test(NAME ${name}_${ranks} COMMAND ${MPIEXEC_EXECUTABLE} -n ${ranks} $<TARGET_FILE:test_${name}> ${filter})
     set_tests_properties(${name}_${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT 600 LABELS "${ARG_LABELS}"
