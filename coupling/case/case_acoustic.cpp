@@ -79,7 +79,7 @@ void read_acoustics(base::Table& root, Case& config) {
     solver.wall_admittance = table.number_or("wall_admittance", solver.wall_admittance, base::not_negative);
     solver.step = read_step(table, config);
     solver.integrator = table.choice_or<Integrator>(
-        "integrator", solver.integrator,
+        "integrator", Integrator::automatic,
         {{"auto", Integrator::automatic}, {"implicit", Integrator::implicit}, {"explicit", Integrator::leap_frog}});
     solver.theta = table.number_or("theta", solver.theta, base::between(0.5, 1));
     solver.solver_tolerance = table.number_or("solver_tolerance", solver.solver_tolerance, base::inside(0, 1));
