@@ -28,6 +28,20 @@ void check(const AcousticSettings& settings) {
   positive(settings.density, "density");
   positive(settings.step, "dt");
   positive(settings.solver_tolerance, "solver_tolerance");
+  if (settings.subscale_constant < 0) {
+    throw base::UserError(fmt::format("subscale_constant of acoustic solver '{}' is not negative", settings.name),
+                          fmt::format("{}", settings.subscale_constant), "0.01 to 0.05 damp the sawteeth of P1/P1");
+  }
+  if (settings.velocity_elements == VelocityElements::p1 && settings.integrator == Integrator::leap_frog) {
+    throw base::UserError("the explicit integrator of sound keeps velocities in P0", "velocity_elements = \"P1\"",
+                          "write velocity_elements = \"P0\", or integrator = \"implicit\"");
+  }
+  const bool has_pml = std::any_of(settings.layers.begin(), settings.layers.end(),
+                                   [](const AbsorbingLayer& layer) { return layer.kind == LayerKind::pml; });
+  if (settings.velocity_elements == VelocityElements::p1 && has_pml) {
+    throw base::UserError("a perfectly matched layer keeps its fields in P0, as velocities are there",
+                          "velocity_elements = \"P1\"", "write velocity_elements = \"P0\", or take a sponge");
+  }
   if (settings.theta < 0.5 || settings.theta > 1) {
     throw base::UserError(fmt::format("theta of acoustic solver '{}' lies in [0.5, 1]", settings.name),
                           fmt::format("{}", settings.theta), "0.5 keeps the energy, more damps it");

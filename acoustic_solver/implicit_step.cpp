@@ -44,7 +44,7 @@ ImplicitStep::ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, cons
       density_(settings.density),
       theta_(settings.theta),
       tolerance_(settings.solver_tolerance),
-      system_(mesh, space, wave.released(), settings.solver_tolerance) {}
+      system_(mesh, space, wave.released(), settings) {}
 
 double ImplicitStep::norm(const std::vector<double>& owned_values) const {
   double square = 0;

@@ -30,6 +30,7 @@ int count_sub_steps(double dt, double longest) {
 IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimension, bool moves, double dt,
                                    double stable_step) {
   if (settings.integrator != Integrator::automatic) return {settings.integrator, "as the case says"};
+  if (settings.velocity_elements == VelocityElements::p1) return {Integrator::implicit, "velocities are in P1"};
   if (settings.theta != 0.5) return {Integrator::implicit, "theta is not 1/2"};
   if (!settings.layers.empty()) return {Integrator::implicit, "it knows layers"};
   // Loops over cells, several times for the terms with β, cost a multiple of sweeps over assembled rows.

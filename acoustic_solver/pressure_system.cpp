@@ -1,7 +1,8 @@
 #include "acoustic_solver/pressure_system.hpp"
 
 #include <algorithm>
-#include <string>
+
+#include "core/base/mpi.hpp"
 
 namespace vocalis::acoustic {
 
@@ -18,63 +19,44 @@ std::vector<PetscInt> as_petsc(const std::vector<std::int32_t>& positions) {
   return {positions.begin(), positions.end()};
 }
 
-/// The solver of each rank's block, unless the options say otherwise.
-void set_block_preconditioner(KSP solver, const char* type) {
-  PC preconditioner = nullptr;
-  base::check(KSPGetPC(solver, &preconditioner));
-  PetscBool is_block = PETSC_FALSE, given = PETSC_FALSE;
-  base::check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCBJACOBI, &is_block));
-  base::check(PetscOptionsHasName(nullptr, nullptr, "-acoustic_sub_pc_type", &given));
-  if (!is_block || given) return;
-  base::check(PCSetUp(preconditioner));
-  PetscInt blocks = 0;
-  KSP* block_solvers = nullptr;
-  base::check(PCBJacobiGetSubKSP(preconditioner, &blocks, nullptr, &block_solvers));
-  for (PetscInt i = 0; i < blocks; ++i) {
-    PC block = nullptr;
-    base::check(KSPGetPC(block_solvers[i], &block));
-    base::check(PCSetType(block, type));
-  }
-}
-
 }  // namespace
 
 PressureSystem::PressureSystem(const mesh::Mesh& mesh, const fem::Space& space,
-                               const std::vector<std::int32_t>& constrained, double tolerance)
+                               const std::vector<std::int32_t>& constrained, const AcousticSettings& settings)
     : layout_(mesh.comm, {{&space.dofs, 1}}),
       constrained_(constrained),
-      tolerance_(tolerance),
+      tolerance_(settings.solver_tolerance),
+      speed_of_sound_(settings.speed_of_sound),
       dimension_(mesh.dimension),
       matrix_(layout_, rows_of_cells(layout_, space), space.dofs_per_cell, as_petsc(constrained), true),
       right_hand_side_(la::create_vector(mesh.comm, layout_.num_owned())),
       solution_(la::create_vector(mesh.comm, layout_.num_owned())) {
   base::check(MatSetOption(matrix_.get(), MAT_SPD, PETSC_TRUE));
+  if (settings.velocity_elements == VelocityElements::p1) equal_order_.emplace(space, matrix_.get(), constrained);
 }
 
-void PressureSystem::create_solver() {
-  solver_ = la::create_linear_solver(layout_.comm(), {.prefix = "acoustic_",
-                                                      .method = KSPCG,
-                                                      .preconditioner = PCBJACOBI,
-                                                      .relative_tolerance = tolerance_,
-                                                      .largest_iterations = 2000,
-                                                      .start_from_given = true});
-  base::check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()));
-  // Measured (tests/benchmarks/acoustic_integrators.cpp): a plane block is factorised in the time of a few solves, and
-  // the factors of an earlier geometry serve for long; in space they cost too much.
-  set_block_preconditioner(solver_.get(), dimension_ == 2 ? PCCHOLESKY : PCICC);
+void PressureSystem::prepare_solver(const WaveOperator& wave) {
+  const double sound_path = speed_of_sound_ * 2 / a_;  // a is 1 / (θ dt)
+  const double courant_number = base::largest(layout_.comm(), sound_path / wave.smallest_length());
+  const auto wanted = choose_preconditioner(dimension_, base::size(layout_.comm()), courant_number);
+  if (assembled_ && wanted == preconditioner_) return;
+  preconditioner_ = wanted;
+  solver_ =
+      create_pressure_solver(equal_order_ ? equal_order_->get() : matrix_.get(), matrix_.get(), wanted, tolerance_);
 }
 
 void PressureSystem::assemble(const WaveOperator& wave, const Layers& layers, double a, double b) {
   wave.system_values(a, b, values_);
   layers.add_system_values(1 / a, values_);
   matrix_.assemble(values_);
+  if (equal_order_) equal_order_->set(wave, b);
   if (!assembled_ || a != a_ || b != b_) rebuild_ = true;
-  if (!assembled_) create_solver();
+  a_ = a;
+  b_ = b;
+  if (rebuild_) prepare_solver(wave);
   base::check(KSPSetReusePreconditioner(solver_.get(), rebuild_ ? PETSC_FALSE : PETSC_TRUE));
   if (rebuild_) iterations_when_new_ = -1;
   rebuild_ = false;
-  a_ = a;
-  b_ = b;
   assembled_ = true;
 }
 

@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "acoustic_solver/equal_order_matrix.hpp"
 #include "acoustic_solver/layers.hpp"
+#include "acoustic_solver/pressure_preconditioner.hpp"
 #include "acoustic_solver/wave_operator.hpp"
 #include "core/la/assembled_matrix.hpp"
 #include "core/la/solve.hpp"
@@ -13,12 +15,13 @@ namespace vocalis::acoustic {
 
 /// The symmetric positive definite system of a sub-step, a mass + admittance + b stiffness, with what layers add, and
 /// its solver: conjugate gradients. The matrix is built anew when a, b or the geometry change; the preconditioner is
-/// kept as long as it serves, since a moving mesh changes the matrix a little every step.
+/// kept as long as it serves, since a moving mesh changes the matrix a little every step. Equal-order P1/P1 is solved
+/// with the preconditioner of P1/P0.
 class PressureSystem {
  public:
   /// Collective.
   PressureSystem(const mesh::Mesh& mesh, const fem::Space& space, const std::vector<std::int32_t>& constrained,
-                 double tolerance);
+                 const AcousticSettings& settings);
 
   /// Collective.
   void assemble(const WaveOperator& wave, const Layers& layers, double a, double b);
@@ -30,14 +33,17 @@ class PressureSystem {
   la::SolveReport solve(std::span<const double> right_hand_side, std::span<double> solution);
 
  private:
-  void create_solver();
+  /// Chooses the preconditioner, and creates the solver if there is none or its preconditioner is another.
+  void prepare_solver(const WaveOperator& wave);
 
   la::SystemLayout layout_;
   std::vector<std::int32_t> constrained_;
-  double tolerance_;
+  double tolerance_, speed_of_sound_;
   int dimension_;
-  la::AssembledMatrix matrix_;
+  la::AssembledMatrix matrix_;  ///< of P1/P0
+  std::optional<EqualOrderMatrix> equal_order_;
   la::PetscLinearSolver solver_;
+  Preconditioner preconditioner_ = Preconditioner::incomplete;
   la::PetscVector right_hand_side_, solution_;
   std::vector<double> values_;
   double a_ = 0, b_ = 0;

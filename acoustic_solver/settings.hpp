@@ -20,6 +20,12 @@ enum class AcousticBoundaryKind {
   flux               ///< where the prescribed source enters: -u·n = g(t)
 };
 
+/// Where the particle velocity lies; the pressure is in P1.
+enum class VelocityElements {
+  p0,  ///< ∇P1: needs no stabilisation
+  p1   ///< equal order, stabilised by orthogonal subscales; implicit only
+};
+
 struct AcousticBoundary {
   std::string group;
   AcousticBoundaryKind kind = AcousticBoundaryKind::rigid;
@@ -56,6 +62,8 @@ struct AcousticSettings {
   double theta = 0.5;              ///< ½: Crank–Nicolson, no dissipation
   double solver_tolerance = 1e-8;  ///< relative residual of a step's change of pressure
   double source_fade_in = 0;       ///< [s] over which the analogy's source rises
+  VelocityElements velocity_elements = VelocityElements::p0;
+  double subscale_constant = 0.02;  ///< C [-] of the subscales' time τ = C h / c
   std::vector<AcousticBoundary> boundaries;
   std::vector<AbsorbingLayer> layers;
 };

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "acoustic_solver/cell_length.hpp"
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
 #include "core/mesh/facets.hpp"
@@ -16,10 +18,13 @@ WaveOperator::WaveOperator(const mesh::Mesh& mesh, const fem::Space& space, cons
       space_(&space),
       inverse_bulk_modulus_(1 / (settings.density * settings.speed_of_sound * settings.speed_of_sound)),
       density_(settings.density),
+      subscale_time_(settings.subscale_constant / (settings.speed_of_sound * settings.density)),
       facets_(boundary_conditions(mesh, settings)),
       coordinates_(mesh.coordinates),
       gradients_(static_cast<std::size_t>(mesh.num_cells()) * (mesh.dimension + 1) * mesh.dimension),
-      measures_(mesh.num_cells()) {
+      measures_(mesh.num_cells()),
+      lengths_(mesh.num_cells()) {
+  if (settings.velocity_elements == VelocityElements::p1) subscales_.emplace(mesh, space);
   const std::vector<char> all(mesh.num_vertices(), 1);
   mesh.dimension == 2 ? compute_cells<2>(all) : compute_cells<3>(all);
   std::vector<mesh::NamedFacet> free_facets;
@@ -57,6 +62,7 @@ void WaveOperator::compute_cells(const std::vector<char>& vertex_moved) {
     for (int i = 0; i <= D; ++i) corners[i] = coordinates_.data() + static_cast<std::size_t>(vertices[i]) * D;
     const auto geometry = fem::simplex_geometry<D>(corners);
     measures_[cell] = geometry.measure;
+    lengths_[cell] = cell_length(*mesh_, coordinates_, cell);
     for (int i = 0; i <= D; ++i) {
       std::copy(geometry.gradient[i].begin(), geometry.gradient[i].end(),
                 gradients_.begin() + (static_cast<std::ptrdiff_t>(cell) * (D + 1) + i) * D);
@@ -129,8 +135,29 @@ void WaveOperator::system_values(double a, double b, std::vector<double>& values
   }
 }
 
+double WaveOperator::smallest_length() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double length : lengths_) smallest = std::min(smallest, length);
+  return smallest;
+}
+
+std::vector<double> WaveOperator::subscale_weights(double factor, bool damps) const {
+  std::vector<double> weights = measures_;
+  for (std::size_t cell = 0; cell < weights.size(); ++cell) {
+    weights[cell] *= damps ? factor * subscale_time_ * lengths_[cell] : factor;
+  }
+  return weights;
+}
+
+void WaveOperator::add_subscales(double b, std::span<const double> x, std::span<double> sums) const {
+  if (!subscales_) return;
+  subscales_->add(gradients_, subscale_weights(-b, false), x, sums);
+  if (subscale_time_ > 0) subscales_->add(gradients_, subscale_weights(1, true), x, sums);
+}
+
 void WaveOperator::add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const {
   const int d = mesh_->dimension;
+  if (subscales_) subscales_->add(gradients_, subscale_weights(-factor, false), potential, sums);
   for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
     const auto vertices = mesh_->vertices_of(cell);
     const double* g = gradient(cell, 0);
@@ -158,6 +185,7 @@ void WaveOperator::add_stiffness(double factor, std::span<const double> potentia
 
 void WaveOperator::add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const {
   const int d = mesh_->dimension;
+  if (subscale_time_ > 0 && subscales_) subscales_->add(gradients_, subscale_weights(factor, true), pressure, sums);
   for (const BoundaryFacet& facet : facets_) {
     if (facet.on_pressure == 0) continue;
     const double weight = factor * facet.on_pressure * facet_weight(facet);
@@ -265,6 +293,11 @@ double WaveOperator::energy(std::span<const double> pressure, std::span<const do
     const double speed_square = slope[0] * slope[0] + slope[1] * slope[1] + slope[2] * slope[2];
     result += 0.5 * measures_[cell] *
               (inverse_bulk_modulus_ * (total * total + squares) / ((d + 1) * (d + 2)) + density_ * speed_square);
+  }
+  if (subscales_) {
+    std::vector<double> sums(potential.size(), 0.0);
+    subscales_->add(gradients_, measures_, potential, sums);
+    result -= 0.5 * density_ * std::inner_product(sums.begin(), sums.end(), potential.begin(), 0.0);
   }
   return base::sum(mesh_->comm, result);
 }

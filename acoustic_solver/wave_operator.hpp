@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "acoustic_solver/boundaries.hpp"
+#include "acoustic_solver/orthogonal_subscales.hpp"
 #include "core/fem/space.hpp"
 
 namespace vocalis::acoustic {
@@ -12,8 +14,8 @@ namespace vocalis::acoustic {
 ///
 ///   mass          (1 / (ρ c²)) (p, q)          consistent: where a step is near h / c its dispersion and that of
 ///                                              Crank–Nicolson cancel in part
-///   stiffness     (∇ψ, ∇q) + <ψ / R, q>_open
-///   admittance    <µ p / (ρ c), q>_walls, open
+///   stiffness     (∇ψ, ∇q) + <ψ / R, q>_open; with velocity_elements = "P1" (P∇ψ, P∇q) instead of the first term
+///   admittance    <µ p / (ρ c), q>_walls, open; with velocity_elements = "P1" also (τ / ρ) (P⊥∇p, P⊥∇q), τ = C h / c
 ///   convection    (1 / (ρ c²)) (β·∇p, q), and β·∇ψ at the vertices
 ///
 /// Functions that add leave the sums of each rank over its own cells: the caller adds them to the owners. Arrays have
@@ -32,9 +34,13 @@ class WaveOperator {
   /// velocity  (vertices, dimension) β [m/s]; empty: nothing moves
   void set_velocity(std::span<const double> velocity);
 
-  /// (cells, n, n) values of  a mass + admittance + b stiffness.
+  /// (cells, n, n) values of  a mass + admittance + b stiffness  of P1/P0.
   void system_values(double a, double b, std::vector<double>& values) const;
 
+  /// What velocities in P1 change in the product of that matrix with x; nothing if they are in P0. Collective.
+  void add_subscales(double b, std::span<const double> x, std::span<double> sums) const;
+
+  /// Both collective.
   void add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const;
   void add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const;
   /// <g, q> over the facets where the source enters. g [m/s]
@@ -50,6 +56,8 @@ class WaveOperator {
   /// Acoustic energy ½ p²/(ρ c²) + ½ ρ |∇ψ|², over all ranks [J; J/m in two dimensions]. Collective.
   double energy(std::span<const double> pressure, std::span<const double> potential) const;
 
+  /// h [m] of this rank's smallest cell; infinite without cells.
+  double smallest_length() const;
   /// Owned vertices with p = 0.
   const std::vector<std::int32_t>& released() const { return released_; }
   std::span<const double> coordinates() const { return coordinates_; }
@@ -67,16 +75,21 @@ class WaveOperator {
  private:
   template <int D>
   void compute_cells(const std::vector<char>& vertex_moved);
+  /// Measure times factor, and times τ / ρ if `damps`.
+  std::vector<double> subscale_weights(double factor, bool damps) const;
 
   const mesh::Mesh* mesh_;
   const fem::Space* space_;
-  double inverse_bulk_modulus_;  ///< 1 / (ρ c²) [1/Pa]
-  double density_;               ///< ρ [kg/m^3]
+  double inverse_bulk_modulus_;                   ///< 1 / (ρ c²) [1/Pa]
+  double density_;                                ///< ρ [kg/m^3]
+  double subscale_time_;                          ///< τ / (ρ h) [m^2 s/kg]
+  std::optional<OrthogonalSubscales> subscales_;  ///< velocities in P1
   std::vector<BoundaryFacet> facets_;
   std::vector<std::int32_t> released_;
   std::vector<double> coordinates_;  ///< (vertices, dimension) [m] of the integrals
   std::vector<double> gradients_;    ///< (cells, dimension + 1, dimension) of the P1 basis [1/m]
   std::vector<double> measures_;     ///< (cells) [m^2, m^3]
+  std::vector<double> lengths_;      ///< (cells) h [m]
   std::vector<double> velocity_;     ///< β, or empty
   std::vector<std::int32_t> moving_cells_;
   std::vector<BoundaryFacet> moving_walls_;

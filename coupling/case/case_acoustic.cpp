@@ -13,6 +13,7 @@ namespace {
 using acoustic::Integrator;
 using base::UserError;
 using Kind = acoustic::AcousticBoundaryKind;
+using Velocity = acoustic::VelocityElements;
 
 acoustic::AcousticBoundary read_boundary(base::Table& table, Case& config) {
   acoustic::AcousticBoundary boundary;
@@ -83,6 +84,11 @@ void read_acoustics(base::Table& root, Case& config) {
         {{"auto", Integrator::automatic}, {"implicit", Integrator::implicit}, {"explicit", Integrator::leap_frog}});
     solver.theta = table.number_or("theta", solver.theta, base::between(0.5, 1));
     solver.solver_tolerance = table.number_or("solver_tolerance", solver.solver_tolerance, base::inside(0, 1));
+    solver.velocity_elements = table.choice_or<Velocity>("velocity_elements", solver.velocity_elements,
+                                                         {{"P0", Velocity::p0}, {"P1", Velocity::p1}});
+    if (solver.velocity_elements == Velocity::p1) {
+      solver.subscale_constant = table.number_or("subscale_constant", solver.subscale_constant, base::not_negative);
+    }
     solver.source_fade_in = table.number_or("source_fade_in", solver.source_fade_in, base::not_negative, "s");
     std::vector<std::string> groups;
     for (base::Table& boundary : table.tables("boundary")) {
