@@ -26,7 +26,7 @@ def compare_series(program, name, one, other, what):
     for column, a, b in zip(columns, values, other_values):
         if column in ABOUT_EFFORT:
             continue
-        program.expect(len(a) == len(b) > 0, f"{what}: {name} has {len(b)} rows, not {len(a)}")
+        program.expect(len(a) == len(b), f"{what}: {name} has {len(b)} rows, not {len(a)}")
         here = difference(a, b)
         worst = max(worst, here)
         program.expect(here <= TOLERANCE, f"{what}: {name}, {column} differs by {here:.1e}")
