@@ -120,6 +120,8 @@ void AcousticSolver::adopt(const mesh::Mesh& mesh, State carried) {
   discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
   assert(carried.p.size() == static_cast<std::size_t>(mesh.num_vertices()));
   state_ = std::move(carried);
+  state_.layer_flux.clear();
+  state_.layer_integral.clear();
   discretisation_->layers.prepare(state_);
 }
 

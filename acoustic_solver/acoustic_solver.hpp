@@ -56,7 +56,8 @@ class AcousticSolver {
   void set_state(State state);
   /// Forgets matrices and preconditioner: what follows depends on the state alone, to the last bit.
   void drop_caches();
-  /// Goes on with another mesh, of other cells, and the state carried to its vertices. Collective.
+  /// Goes on with another mesh, of other cells, and the state carried to its vertices. φ and w of layers, which belong
+  /// to the cells before, begin at 0 again. Collective.
   void adopt(const mesh::Mesh& mesh, State carried);
 
   const AcousticSettings& settings() const { return settings_; }

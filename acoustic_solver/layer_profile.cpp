@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 
 #include "core/base/error.hpp"
@@ -18,6 +19,8 @@ namespace {
 using base::UserError;
 
 constexpr double kLeastCells = 2;
+constexpr double kMostDampingOfCell =
+    1.2;  ///< s h / c at the end of a layer; from 1.7 on edges grow (docs/stability.md)
 
 struct Extent {
   double low, high;
@@ -57,7 +60,7 @@ double cell_length(const mesh::Mesh& mesh, const LayerSide& side) {
 void check(const AcousticSettings& settings, const AbsorbingLayer& layer) {
   if (!(layer.thickness > 0)) {
     throw UserError(fmt::format("the thickness [m] of a layer of acoustic solver '{}' is positive", settings.name),
-                    fmt::format("{}", layer.thickness), "set thickness to ten cells or more");
+                    fmt::format("{}", layer.thickness), "set thickness to twelve cells or more");
   }
   if (!(layer.reflection > 0 && layer.reflection < 1)) {
     throw UserError(
@@ -68,6 +71,16 @@ void check(const AcousticSettings& settings, const AbsorbingLayer& layer) {
     throw UserError(fmt::format("all layers of acoustic solver '{}' are of one kind", settings.name), "both kinds",
                     "take pml for all: it reflects least");
   }
+}
+
+/// Whether perfectly matched layers cross along edges that go through the mesh from end to end.
+bool have_closed_edges(const mesh::Mesh& mesh, const AcousticSettings& settings) {
+  std::set<int> axes;
+  for (const AbsorbingLayer& layer : settings.layers) {
+    if (layer.kind != LayerKind::pml) return false;
+    for (const BoxSide side : layer.sides) axes.insert(static_cast<int>(side) / 2);
+  }
+  return mesh.dimension == 3 && axes.size() == 2;
 }
 
 LayerSide layer_side(const mesh::Mesh& mesh, const AcousticSettings& settings, const AbsorbingLayer& layer,
@@ -89,10 +102,19 @@ LayerSide layer_side(const mesh::Mesh& mesh, const AcousticSettings& settings, c
                     fmt::format("thickness {} m of {} m", layer.thickness, extent.high - extent.low),
                     "make the layer thinner or the air wider");
   }
-  if (const double length = cell_length(mesh, side); layer.thickness < kLeastCells * length) {
+  const double length = cell_length(mesh, side);
+  if (layer.thickness < kLeastCells * length) {
     throw UserError(fmt::format("a layer of acoustic solver '{}' is at least two cells thick", settings.name),
                     fmt::format("thickness {} m, cells of {:.3g} m", layer.thickness, length),
-                    "make it ten to sixteen cells thick");
+                    "make it twelve cells thick or more");
+  }
+  if (have_closed_edges(mesh, settings) && side.greatest * length > kMostDampingOfCell * settings.speed_of_sound) {
+    throw UserError(
+        fmt::format("where layers of acoustic solver '{}' absorb along two of three axes they are at least {:.2g} "
+                    "cells thick: in thinner ones sound grows",
+                    settings.name, -std::log(layer.reflection) / kMostDampingOfCell),
+        fmt::format("thickness {} m, cells of {:.3g} m", layer.thickness, length),
+        "make it twelve cells thick or more, or absorb along the third axis too");
   }
   return side;
 }

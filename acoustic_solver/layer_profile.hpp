@@ -18,9 +18,10 @@ struct LayerSide {
 /// The layers of the settings on this mesh, with the damping that leaves `reflection` of a plane wave that falls on the
 /// layer at a right angle and comes back from a rigid end: exp(-2/c ∫ s dx), s = greatest (depth / thickness).
 ///
-/// The profile is linear: of the powers 0.5 to 3 it reflects least where the layer has 6 to 15 cells (docs/theory.md).
-/// Throws UserError if a layer is thinner than two cells, meets one from the other side, or makes no sense otherwise.
-/// Collective.
+/// The profile is linear: of the powers 0.5 to 3 it reflects least of plane waves where the layer has 6 to 15 cells
+/// (docs/theory.md).
+/// Throws UserError if a layer is thinner than two cells, so thin that sound grows in an edge of two layers, meets one
+/// from the other side, or makes no sense otherwise. Collective.
 std::vector<LayerSide> layer_sides(const mesh::Mesh& mesh, const AcousticSettings& settings);
 
 /// Damping s_i along axis i, from the beginning of the layer to x [m/s]: its slope between the vertices of a cell is

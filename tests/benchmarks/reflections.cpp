@@ -1,15 +1,16 @@
-// What the ends of a mesh reflect, 300 to 5000 Hz, and what they cost: plane waves at 0 and 45 degrees in the plane,
-// and a monopole 0.1 m before the end. Each mesh is compared with one that goes on in the same cells, so that
-// only the end counts. Cells of 7 mm: ten a wavelength at 5 kHz. With the release preset:
-//   benchmark_reflections         the table of docs/validation.md
-//   benchmark_reflections space   the monopole in space
-//   benchmark_reflections study   cells of the layer and its `reflection`
+// What the ends of a mesh reflect, 300 to 5000 Hz: plane waves at 0 and 45 degrees, and a monopole 0.1 m before the
+// end, in the plane and in space. Each mesh is compared with one that goes on in the same cells, so that only the end
+// counts. Cells of 7 mm: ten a wavelength at 5 kHz. With the release preset:
+//   benchmark_reflections plane > plane.csv   waves in the plane, layers of many thicknesses and strengths
+//   benchmark_reflections space > space.csv   a monopole in space
+//   benchmark_reflections cost                seconds of a step with and without layers
+// draw_reflections.py makes the tables and the chart of docs/validation.md of them.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstring>
+#include <ctime>
 #include <functional>
 #include <numbers>
 
@@ -29,11 +30,13 @@ constexpr double kCell = 7e-3;                                                //
 constexpr double kStep = 1.4e-5;                                              // [s]
 const std::vector<double> kFrequencies = {300, 600, 1000, 2000, 3500, 5000};  // [Hz]
 
-/// A box of cells.
+/// A box of cells from the origin, or the ball in which its layers of cells about the origin are spheres.
 struct Block {
   int dimension;
   std::array<int, 3> cells;
   std::array<double, 3> cell = {kCell, kCell, kCell};
+  int cells_below = 0;  ///< so many of the cells along x have x < 0
+  bool is_ball = false;
 };
 
 mesh::Mesh build(const Block& block) {
@@ -42,15 +45,16 @@ mesh::Mesh build(const Block& block) {
       MPI_COMM_WORLD, {1.0 * block.cells[0], 1.0 * block.cells[1], d == 3 ? 1.0 * block.cells[2] : 0.0}, block.cells);
   for (std::size_t v = 0; v < whole.coordinates.size(); v += d) {
     double* x = whole.coordinates.data() + v;
-    for (int k = 0; k < d; ++k) x[k] *= block.cell[k];
+    x[0] -= block.cells_below;
+    double square = 0, largest = 0;
+    for (int k = 0; k < d; ++k) {
+      square += x[k] * x[k];
+      largest = std::max(largest, std::abs(x[k]));
+    }
+    const double bend = block.is_ball && square > 0 ? largest / std::sqrt(square) : 1;
+    for (int k = 0; k < d; ++k) x[k] *= bend * block.cell[k];
   }
   return mesh::distribute(MPI_COMM_WORLD, whole);
-}
-
-AcousticSettings air() {
-  AcousticSettings settings;
-  settings.step = kStep;
-  return settings;
 }
 
 struct Experiment {
@@ -58,16 +62,19 @@ struct Experiment {
   std::function<double(double)> pulse;
   std::vector<std::function<double(const double*)>> probes;  ///< weight of a vertex
   std::vector<double> frequencies = kFrequencies;
-  double duration = 0;
+  double duration = 0;  ///< [s]
+  double step = kStep;  ///< [s]
 };
 
 struct Result {
   Spectra spectra;
-  double milliseconds = 0;  ///< of a step
+  double milliseconds = 0;  ///< of the processor, a step after the first
+  double iterations = 0;    ///< of the linear solver, a step
   std::int64_t vertices = 0;
 };
 
-Result run(const mesh::Mesh& mesh, const AcousticSettings& settings, const Experiment& experiment) {
+Result run(const mesh::Mesh& mesh, AcousticSettings settings, const Experiment& experiment) {
+  const double dt = settings.step = experiment.step;
   AcousticSolver solver(mesh, settings);
   fem::Load begin(solver.space(), 1), end(solver.space(), 1);
   std::vector<std::vector<std::pair<std::int32_t, double>>> weights(experiment.probes.size());
@@ -83,24 +90,26 @@ Result run(const mesh::Mesh& mesh, const AcousticSettings& settings, const Exper
   Result result;
   result.vertices = mesh.vertices.num_global;
   result.spectra.assign(weights.size(), std::vector<std::complex<double>>(experiment.frequencies.size()));
-  const int steps = static_cast<int>(std::lround(experiment.duration / kStep));
-  const auto start = std::chrono::steady_clock::now();
+  const int steps = static_cast<int>(std::lround(experiment.duration / dt));
+  std::clock_t start = 0;
   for (int n = 0; n < steps; ++n) {
+    if (n == 1) start = std::clock();
     for (const auto& [v, share] : shares) {
-      begin.values[v] = share * experiment.pulse(n * kStep);
-      end.values[v] = share * experiment.pulse((n + 1) * kStep);
+      begin.values[v] = share * experiment.pulse(n * dt);
+      end.values[v] = share * experiment.pulse((n + 1) * dt);
     }
-    const AdvanceReport report = solver.advance(kStep, {}, {&begin, &end, {}});
+    const AdvanceReport report = solver.advance(dt, {}, {&begin, &end, {}});
     if (!report.converged) fmt::print("not converged: {}\n", report.reason);
+    result.iterations += 1.0 * report.linear_iterations / steps;
     for (std::size_t i = 0; i < weights.size(); ++i) {
       double pressure = 0;
       for (const auto& [v, weight] : weights[i]) pressure += weight * solver.state().p[v];
       for (std::size_t f = 0; f < experiment.frequencies.size(); ++f) {
-        result.spectra[i][f] += pressure * std::polar(1.0, -2 * pi * experiment.frequencies[f] * (n + 1) * kStep);
+        result.spectra[i][f] += pressure * std::polar(1.0, -2 * pi * experiment.frequencies[f] * (n + 1) * dt);
       }
     }
   }
-  result.milliseconds = 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
+  result.milliseconds = 1e3 * (std::clock() - start) / CLOCKS_PER_SEC / (steps - 1);
   for (auto& spectrum : result.spectra) {
     MPI_Allreduce(MPI_IN_PLACE, spectrum.data(), static_cast<int>(spectrum.size()), MPI_C_DOUBLE_COMPLEX, MPI_SUM,
                   mesh.comm);
@@ -123,188 +132,224 @@ std::vector<double> differences(const Result& result, const Result& reference) {
 /// An end of the mesh: a condition at once, or a layer of so many cells.
 struct End {
   std::string name;
-  AcousticBoundaryKind kind = AcousticBoundaryKind::open;
-  double radius = 0;
-  int cells = 0;  ///< 0: no layer
+  double radius = 0;  ///< of the open condition [m]; 0: plane
+  int cells = 0;      ///< 0: no layer
   LayerKind layer = LayerKind::pml;
   double reflection = AbsorbingLayer{}.reflection;
 };
 
+End pml(int cells, double reflection) { return {"PML", 0, cells, LayerKind::pml, reflection}; }
+
+std::vector<End> ends_of_study(const std::vector<int>& cells, const std::vector<double>& reflections) {
+  std::vector<End> ends = {{"plane, first order"}};
+  for (const int count : {10, 20}) ends.push_back({"sponge", 0, count, LayerKind::sponge});
+  for (const int count : cells) {
+    for (const double reflection : reflections) ends.push_back(pml(count, reflection));
+  }
+  return ends;
+}
+
 AcousticSettings settings_with(const End& end, const std::vector<BoxSide>& sides,
                                const std::vector<std::string>& groups) {
-  AcousticSettings settings = air();
+  AcousticSettings settings;
   if (end.cells > 0) {
     settings.layers = {{end.layer, sides, end.cells * kCell, end.reflection}};
   } else {
-    for (const std::string& group : groups) settings.boundaries.push_back({group, end.kind, 0, end.radius});
+    for (const auto& group : groups) settings.boundaries.push_back({group, AcousticBoundaryKind::open, 0, end.radius});
   }
   return settings;
 }
 
-struct Row {
-  std::vector<double> reflections;
-  double milliseconds = 0;
-  std::int64_t vertices = 0;
-};
+void print(const std::string& waves, const End& end, const std::vector<double>& frequencies, const Result& result,
+           const std::vector<double>& reflections) {
+  for (std::size_t f = 0; f < frequencies.size(); ++f) {
+    const std::string strength = end.cells > 0 ? fmt::format("{:.0e}", end.reflection) : "";
+    fmt::print("{};{};{};{};{};{:.4f};{};{:.4f}\n", waves, end.name, end.cells, strength, frequencies[f],
+               100 * reflections[f], result.vertices, result.milliseconds);
+  }
+  std::fflush(stdout);
+}
 
-/// A duct in which a wave goes at an angle: mode `mode` across it. Measured at the rigid wall where the source is, and
-/// where an echo doubles.
+/// A duct in which a wave goes at an angle: the first mode across it. Measured at the rigid wall where the source is,
+/// and where an echo doubles.
 class Duct {
  public:
-  Duct(double frequency, double angle, double duration) : duration_(duration) {
-    const double width = angle > 0 ? 350 / (2 * frequency * std::sin(angle)) : 6 * kCell;
-    across_ = angle > 0 ? 16 : 6;
-    height_ = width / across_;
-    const double mode = angle > 0 ? pi / width : 0;
-    const double tolerance = 1e-9;
-    const double height = height_;
+  /// A pulse of plane waves.
+  Duct() {
+    const GaussianFlux pulse({.amplitude = 1, .maximum_frequency = 6000});
+    experiment_.pulse = [=](double t) { return pulse.value(t); };
+    experiment_.duration = 8e-3;
+    begin(0);
+  }
+  /// Waves at 45 degrees: a burst of 2.5 periods' standard deviation, which has little at the cut-on frequency of the
+  /// mode, 0.7 of its own, where waves graze the end and hardly move.
+  explicit Duct(double frequency) {
+    width_ = 350 / (2 * frequency * std::sin(pi / 4));
+    cells_across_ = 12;
+    experiment_.frequencies = {frequency};
+    experiment_.step = 0.04 / frequency;
+    experiment_.pulse = [=](double t) {
+      return std::exp(-0.5 * std::pow((t * frequency - 11) / 2.5, 2)) * std::sin(2 * pi * frequency * t);
+    };
+    experiment_.duration = 26 / frequency + 2 * 3e-3;
+    begin(pi / width_);
+  }
+  void measure(const std::string& waves, const End& end) const {
+    const Result result = run(mesh(kInner + end.cells), settings_with(end, {BoxSide::x_max}, {"right"}), experiment_);
+    std::vector<double> reflections = differences(result, reference_);
+    for (double& value : reflections) value *= 0.5;
+    print(waves, end, experiment_.frequencies, result, reflections);
+  }
+
+ private:
+  static constexpr int kInner = 40;
+  void begin(double mode) {
+    const double tolerance = 1e-9, width = width_, height = width_ / cells_across_;
     const auto shape = [=](const double* x) {
       const bool edge = x[1] < tolerance || x[1] > width - tolerance;
       return x[0] < tolerance ? height * (edge ? 0.5 : 1) * std::cos(mode * x[1]) : 0;
     };
     experiment_.source = experiment_.probes.emplace_back(shape);
-    experiment_.duration = duration;
-    if (angle > 0) {
-      experiment_.frequencies = {frequency};
-      const double width_in_time = 1 / frequency;
-      experiment_.pulse = [=](double t) {
-        return std::exp(-0.5 * std::pow(t / width_in_time - 5, 2)) * std::sin(2 * pi * frequency * t);
-      };
-    } else {
-      const GaussianFlux pulse({.amplitude = 1, .maximum_frequency = 6000});
-      experiment_.pulse = [=](double t) { return pulse.value(t); };
-    }
-    reference_ = run(mesh(static_cast<int>(350 * duration / 2 / kCell) + 10), air(), experiment_);
+    reference_ = run(mesh(static_cast<int>(350 * experiment_.duration / 2 / kCell) + 10), {}, experiment_);
   }
-  Row measure(const End& end) const {
-    const Result result = run(mesh(kInner + end.cells), settings_with(end, {BoxSide::x_max}, {"right"}), experiment_);
-    Row row = {differences(result, reference_), result.milliseconds, result.vertices};
-    for (double& value : row.reflections) value *= 0.5;
-    return row;
-  }
-
- private:
-  static constexpr int kInner = 40;
-  mesh::Mesh mesh(int cells) const { return build({2, {cells, across_, 0}, {kCell, height_, 0}}); }
-  double duration_, height_ = 0;
-  int across_ = 0;
+  mesh::Mesh mesh(int cells) const { return build({2, {cells, cells_across_, 0}, {kCell, width_ / cells_across_, 0}}); }
+  double width_ = 6 * kCell;
+  int cells_across_ = 6;
   Experiment experiment_;
   Result reference_;
 };
 
-/// A monopole at the corner of three planes of symmetry; the end is at 14 cells on the three other sides. Measured on
-/// the axes and diagonals 0.1 m from it.
+/// A monopole at planes of symmetry, in a box or a ball that ends 15 cells from its middle. Measured on axes and
+/// diagonals 0.1 m from there.
 class Monopole {
  public:
-  explicit Monopole(int dimension) : dimension_(dimension) {
+  /// offset  of the monopole from the middle of a ball, in cells along x
+  explicit Monopole(int dimension, bool is_ball = false, int offset = 0)
+      : dimension_(dimension), is_ball_(is_ball), offset_(offset) {
     const GaussianFlux pulse({.amplitude = 1e-5, .maximum_frequency = 6000});
-    experiment_.source = [=](const double* x) {
-      return std::hypot(x[0], x[1], dimension == 3 ? x[2] : 0) < 1e-9 ? 1.0 : 0.0;
-    };
     experiment_.pulse = [=](double t) { return pulse.value(t); };
-    experiment_.duration = 5e-3;
-    const std::vector<std::array<int, 3>> points = {{14, 0, 0}, {0, 14, 0}, {10, 10, 0},
-                                                    {8, 8, 8},  {0, 0, 14}, {0, 10, 10}};
-    for (const auto& point : points) {
-      if (dimension == 2 && point[2] > 0) continue;
-      experiment_.probes.push_back([=](const double* x) {
-        double square = 0;
-        for (int k = 0; k < dimension; ++k) square += std::pow(x[k] / kCell - point[k], 2);
-        return square < 0.1 ? 1.0 : 0.0;
-      });
-    }
-    // In the plane the mesh goes on until no echo returns; in space, for twice the distance and a layer of 24 cells.
-    AcousticSettings settings = air();
-    if (dimension == 3) settings.layers = {{LayerKind::pml, sides(), 24 * kCell, 1e-5}};
-    reference_ = run(mesh(dimension == 3 ? 2 * kInner + 24 : 140), settings, experiment_);
+    experiment_.source = at({1.0 * offset, 0, 0});
+    std::vector<std::array<double, 3>> points = {{14, 0, 0}, {0, 14, 0}, {10, 10, 0}};
+    if (is_ball) points[2] = {14 * std::sqrt(0.5), 14 * std::sqrt(0.5), 0};
+    if (offset > 0) points.push_back({-14, 0, 0});
+    if (dimension == 3 && !is_ball) points.insert(points.end(), {{8, 8, 8}, {0, 0, 14}, {0, 10, 10}});
+    for (const auto& point : points) experiment_.probes.push_back(at(point));
+    // In space silence follows the pulse: the reference ends before its first echo. In the plane nothing is ever over.
+    AcousticSettings settings;
+    const int cells = dimension == 3 ? 35 : 130;
+    if (dimension == 2 && is_ball) settings = settings_with({"", cells * kCell}, {}, {"right", "top"});
+    if (dimension == 2 && !is_ball) settings.layers = {{LayerKind::pml, sides(), 30 * kCell, 1e-5}};
+    experiment_.duration = dimension == 3 ? 1.15e-3 : 12e-3;
+    reference_ = run(mesh(cells), settings, experiment_);
+    experiment_.duration = dimension == 3 ? 4e-3 : 12e-3;
   }
-  Row measure(const End& end) const {
-    std::vector<std::string> groups = {"right", "top"};
-    if (dimension_ == 3) groups.push_back("back");
-    const Result result = run(mesh(kInner + end.cells), settings_with(end, sides(), groups), experiment_);
-    return {differences(result, reference_), result.milliseconds, result.vertices};
+  void measure(const std::string& waves, const End& end) const {
+    const Result result = run_with(end, experiment_);
+    print(waves, end, experiment_.frequencies, result, differences(result, reference_));
+  }
+  /// 60 steps with this layer, or without it in as much air.
+  Result begin(const End& end, bool has_layer) const {
+    Experiment experiment = experiment_;
+    experiment.duration = 60 * kStep;
+    return has_layer ? run_with(end, experiment) : run(mesh(kInner + end.cells), {}, experiment);
   }
 
  private:
   static constexpr int kInner = 15;
+  Result run_with(const End& end, const Experiment& experiment) const {
+    std::vector<std::string> groups = {"right", "top"};
+    if (dimension_ == 3) groups.push_back("back");
+    if (offset_ > 0) groups.push_back("left");
+    return run(mesh(kInner + end.cells), settings_with(end, sides(), groups), experiment);
+  }
+  /// 1 at the vertex of these coordinates in cells.
+  std::function<double(const double*)> at(const std::array<double, 3>& point) const {
+    return [=, dimension = dimension_](const double* x) {
+      double square = 0;
+      for (int k = 0; k < dimension; ++k) square += std::pow(x[k] / kCell - point[k], 2);
+      return square < 0.05 ? 1.0 : 0.0;
+    };
+  }
   std::vector<BoxSide> sides() const {
     if (dimension_ == 2) return {BoxSide::x_max, BoxSide::y_max};
     return {BoxSide::x_max, BoxSide::y_max, BoxSide::z_max};
   }
-  mesh::Mesh mesh(int cells) const { return build({dimension_, {cells, cells, cells}}); }
+  mesh::Mesh mesh(int cells) const {
+    const int below = offset_ > 0 ? cells : 0;
+    return build({dimension_, {cells + below, cells, cells}, {kCell, kCell, kCell}, below, is_ball_});
+  }
   int dimension_;
+  bool is_ball_;
+  int offset_;
   Experiment experiment_;
   Result reference_;
 };
 
-void print(const std::string& name, const Row& row, double milliseconds_without) {
-  std::string text;
-  for (const double value : row.reflections) text += fmt::format(" {:.2f} |", 100 * value);
-  fmt::print("| {} |{} {:.2f} | {} | {:.1f} |\n", name, text,
-             100 * *std::max_element(row.reflections.begin(), row.reflections.end()), row.vertices,
-             row.milliseconds / milliseconds_without);
-  std::fflush(stdout);
+void study_plane() {
+  const std::vector<End> ends = ends_of_study({4, 6, 8, 10, 12, 16, 20, 24}, {1e-2, 1e-3, 1e-4, 3e-5, 1e-5});
+  const Duct straight;
+  for (const End& end : ends) straight.measure("0 degrees", end);
+  for (const double frequency : kFrequencies) {
+    const Duct oblique(frequency);
+    for (const End& end : ends) oblique.measure("45 degrees", end);
+  }
+  const Monopole monopole(2), centre(2, true);
+  for (const End& end : ends) monopole.measure("monopole in the plane", end);
+  for (const double radius : {0.0, 15 * kCell}) {
+    centre.measure("monopole in a disc", {radius > 0 ? "spherical, first order" : "plane, first order", radius});
+  }
 }
 
-/// The reflection at each frequency from a duct of its own.
-Row at_45_degrees(const std::vector<Duct>& ducts, const End& end) {
-  Row row;
-  for (const Duct& duct : ducts) {
-    const Row one = duct.measure(end);
-    row.reflections.push_back(one.reflections[0]);
-    row.milliseconds += one.milliseconds;
-    row.vertices = one.vertices;
+void study_space() {
+  for (const int offset : {0, 5}) {
+    const Monopole ball(3, true, offset);
+    for (const double radius : {0.0, 15 * kCell}) {
+      ball.measure(offset > 0 ? "monopole off the centre of a ball" : "monopole in a ball",
+                   {radius > 0 ? "spherical, first order" : "plane, first order", radius});
+    }
   }
-  return row;
+  const Monopole monopole(3);
+  for (const End& end : ends_of_study({10, 12, 16, 20, 24}, {1e-3, 1e-4})) monopole.measure("monopole in space", end);
+}
+
+/// The least of five rounds, since other programs disturb.
+void measure_cost() {
+  const std::vector<End> ends = {
+      {"nothing"}, {"sponge", 0, 16, LayerKind::sponge}, pml(10, 1e-3), pml(16, 1e-3), pml(24, 1e-3)};
+  for (const int dimension : {2, 3}) {
+    const Monopole monopole(dimension);
+    std::vector<std::array<Result, 2>> least(ends.size());
+    for (int round = 0; round < 5; ++round) {
+      for (std::size_t i = 0; i < ends.size(); ++i) {
+        for (const bool has_layer : {false, true}) {
+          Result result = monopole.begin(ends[i], has_layer);
+          Result& best = least[i][has_layer];
+          if (round == 0 || result.milliseconds < best.milliseconds) best = std::move(result);
+        }
+      }
+    }
+    fmt::print("\n{} dimensions | vertices | ms, iterations a step | in as much air without it\n", dimension);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto& [air, layer] = least[i];
+      fmt::print("{}, {} cells | {} | {:.3f}, {:.1f} | {:.3f}, {:.1f}\n", ends[i].name, ends[i].cells, layer.vertices,
+                 layer.milliseconds, layer.iterations, air.milliseconds, air.iterations);
+    }
+  }
 }
 
 }  // namespace
 }  // namespace vocalis::acoustic
 
 int main(int argc, char** argv) {
-  using namespace vocalis::acoustic;
   const vocalis::base::Session session(argc, argv);
-  const bool is_study = argc > 1 && std::strcmp(argv[1], "study") == 0;
-  const bool is_space = argc > 1 && std::strcmp(argv[1], "space") == 0;
-  const End plane = {"plane, first order"}, sponge = {"sponge", {}, 0, 10, LayerKind::sponge};
-  std::vector<End> ends = {plane};
-  for (const int cells : {10, 20}) {
-    ends.push_back(sponge);
-    ends.back().cells = cells;
-    ends.back().name = fmt::format("sponge, {} cells", cells);
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what == "cost") {
+    vocalis::acoustic::measure_cost();
+  } else if (what == "plane" || what == "space") {
+    fmt::print("waves;end;cells;R0;frequency;percent;vertices;milliseconds\n");
+    what == "plane" ? vocalis::acoustic::study_plane() : vocalis::acoustic::study_space();
+  } else {
+    fmt::print("benchmark_reflections plane | space | cost\n");
+    return 2;
   }
-  for (const int cells : {6, 10, 16, 20}) ends.push_back({fmt::format("PML, {} cells", cells), {}, 0, cells});
-  if (is_study) {
-    ends = {plane};
-    for (const int cells : {4, 6, 8, 10, 12, 16, 20}) {
-      for (const double reflection : {1e-2, 1e-3, 1e-4, 1e-6}) {
-        ends.push_back(
-            {fmt::format("PML, {} cells, R0 = {:.0e}", cells, reflection), {}, 0, cells, LayerKind::pml, reflection});
-      }
-    }
-  }
-  std::string heads;
-  for (const double frequency : kFrequencies) heads += fmt::format(" {} Hz |", frequency);
-  const auto section = [&](const std::string& title, const std::function<Row(const End&)>& measure) {
-    fmt::print("\n{}, reflection in per cent\n\n| end |{} largest | vertices | time of a step |\n", title, heads);
-    double without = 0;
-    for (const End& end : ends) {
-      const Row row = measure(end);
-      if (without == 0) without = row.milliseconds;
-      print(end.name, row, without);
-    }
-  };
-  if (is_space) {
-    const Monopole monopole(3);
-    section("monopole in space at 0.1 m", [&](const End& end) { return monopole.measure(end); });
-    return 0;
-  }
-  const Duct straight(0, 0, 8e-3);
-  section("plane wave at a right angle", [&](const End& end) { return straight.measure(end); });
-  std::vector<Duct> oblique;
-  for (const double frequency : kFrequencies)
-    oblique.emplace_back(frequency, std::numbers::pi / 4, 12 / frequency + 2.5e-3);
-  section("plane wave at 45 degrees", [&](const End& end) { return at_45_degrees(oblique, end); });
-  const Monopole monopole(2);
-  section("monopole in the plane at 0.1 m", [&](const End& end) { return monopole.measure(end); });
 }

@@ -86,7 +86,7 @@ MISTAKES = [
     scene("layer on no side", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["right"]\nthickness = 0.01\n'
           "[[microphone]]", "acoustic[sound].layer", "sides", "x_min, x_max"),
     scene("layer thinner than two cells", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["x_max"]\n'
-          "thickness = 1e-4\n[[microphone]]", "two cells", "ten"),
+          "thickness = 1e-4\n[[microphone]]", "two cells", "twelve"),
     scene("two regions of one name", 'name = "room"', 'name = "duct"', "region", "name of its own", "duct"),
     scene("two microphones of one name", "[[monitor]]",
           '[[microphone]]\nname = "ear"\nposition = [0.0, 0.005]\n[[monitor]]', "microphone", "name of its own"),

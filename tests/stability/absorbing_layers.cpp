@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "acoustic_solver/acoustic_solver.hpp"
+#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
 #include "tests/all_ranks.hpp"
@@ -131,6 +132,26 @@ TEST_CASE("layers on all sides die out: no growth at late times, however long th
     CHECK(decays);
     CHECK(before < 1e-3);
   }
+}
+
+TEST_CASE("an edge of two layers between rigid ends dies out from six cells on; thinner ones are refused", "[serial]") {
+  // Four cells grow to 5e5 in this time, five still die out.
+  const auto make = [](const mesh::Mesh& mesh, int cells) {
+    AcousticSettings settings = unit_medium(0.7);
+    settings.layers = {layer({BoxSide::x_max, BoxSide::y_max}, cells, 1e-3)};
+    return AcousticSolver(mesh, settings);
+  };
+  const mesh::Mesh thin = box({8, 8, 4}), thick = box({10, 10, 4});
+  CHECK_THROWS_AS(make(thin, 4), base::UserError);
+  AcousticSolver solver = make(thick, 6);
+  State state = solver.state();
+  for (std::int32_t v = 0; v < thick.num_vertices(); ++v) {
+    const double* x = thick.point(v);
+    state.p[v] = std::exp(-(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 4);
+  }
+  solver.set_state(state);
+  REQUIRE_ON_ALL_RANKS(solver.advance(1600).converged);
+  CHECK(largest(thick.comm, solver.state().p) < 1e-3);
 }
 
 }  // namespace vocalis::acoustic
