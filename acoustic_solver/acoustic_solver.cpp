@@ -57,6 +57,12 @@ void check(const AcousticSettings& settings) {
         fmt::format("absorbing layers of acoustic solver '{}' need the implicit integrator", settings.name),
         "integrator = \"explicit\"", "set integrator = \"implicit\" or \"auto\", or take the layers out");
   }
+  if (has_yielding_walls(settings) && settings.integrator == Integrator::leap_frog) {
+    throw base::UserError(
+        fmt::format("yielding and viscothermal walls of acoustic solver '{}' need the implicit integrator",
+                    settings.name),
+        "integrator = \"explicit\"", "set integrator = \"implicit\" or \"auto\", or another kind of wall");
+  }
 }
 
 }  // namespace
@@ -68,10 +74,11 @@ struct AcousticSolver::Discretisation {
         space(fem::lagrange(on, 1)),
         wave(on, space, given),
         layers(on, given),
+        walls(on, wave),
         leap_frog(on, space, wave, given.density) {}
 
   ImplicitStep& implicit() {
-    if (!theta_scheme) theta_scheme = std::make_unique<ImplicitStep>(*mesh, space, wave, layers, settings);
+    if (!theta_scheme) theta_scheme = std::make_unique<ImplicitStep>(*mesh, space, wave, layers, walls, settings);
     return *theta_scheme;
   }
   void drop() {
@@ -90,6 +97,7 @@ struct AcousticSolver::Discretisation {
   fem::Space space;
   WaveOperator wave;
   Layers layers;
+  YieldingWalls walls;
   ExplicitStep leap_frog;
   std::unique_ptr<ImplicitStep> theta_scheme;  ///< once it is needed
   double bound_standing_still = 0;             ///< [s]; 0: not known
@@ -101,6 +109,7 @@ AcousticSolver::AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& s
   state_.p.assign(mesh.num_vertices(), 0.0);
   state_.psi.assign(mesh.num_vertices(), 0.0);
   discretisation_->layers.prepare(state_);
+  discretisation_->walls.prepare(state_);
 }
 
 AcousticSolver::~AcousticSolver() = default;
@@ -111,6 +120,7 @@ void AcousticSolver::set_state(State state) {
   assert(state.p.size() == state_.p.size() && state.psi.size() == state_.psi.size());
   state_ = std::move(state);
   discretisation_->layers.prepare(state_);
+  discretisation_->walls.prepare(state_);
   drop_caches();
 }
 
@@ -123,6 +133,7 @@ void AcousticSolver::adopt(const mesh::Mesh& mesh, State carried) {
   state_.layer_flux.clear();
   state_.layer_integral.clear();
   discretisation_->layers.prepare(state_);
+  discretisation_->walls.prepare(state_);
 }
 
 const fem::Space& AcousticSolver::space() const { return discretisation_->space; }
@@ -133,7 +144,9 @@ fem::Field AcousticSolver::pressure() const {
   return field;
 }
 
-double AcousticSolver::energy() const { return discretisation_->wave.energy(state_.p, state_.psi); }
+double AcousticSolver::energy() const {
+  return discretisation_->wave.energy(state_.p, state_.psi) + discretisation_->walls.energy(state_);
+}
 
 IntegratorChoice AcousticSolver::choice(double dt, bool moves) const {
   const bool is_open = settings_.integrator == Integrator::automatic && !moves;

@@ -63,7 +63,7 @@ class AcousticSolver {
   const AcousticSettings& settings() const { return settings_; }
   const fem::Space& space() const;
   fem::Field pressure() const;
-  /// Acoustic energy ∫ ½ p²/(ρ c²) + ½ ρ |u|² [J; J/m in two dimensions]. Collective.
+  /// Acoustic energy ∫ ½ p²/(ρ c²) + ½ ρ |u|², and that of walls that yield [J; J/m in two dimensions]. Collective.
   double energy() const;
 
  private:

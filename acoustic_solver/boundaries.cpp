@@ -31,6 +31,8 @@ BoundaryFacet condition(const AcousticSettings& settings, int dimension, const A
   BoundaryFacet facet;
   switch (boundary.kind) {
     case AcousticBoundaryKind::rigid:
+    case AcousticBoundaryKind::yielding:
+    case AcousticBoundaryKind::viscothermal:
       break;
     case AcousticBoundaryKind::admittance:
       facet.on_pressure = boundary.admittance * plane_wave;
@@ -79,6 +81,7 @@ std::vector<BoundaryFacet> boundary_conditions(const mesh::Mesh& mesh, const Aco
     BoundaryFacet here = condition(settings, mesh.dimension, b < count ? settings.boundaries[b] : unnamed);
     here.cell = facet.cell;
     here.index = facet.index;
+    if (b < count && yields(settings.boundaries[b].kind)) here.wall = b;
     conditions.push_back(here);
   }
   return conditions;

@@ -36,11 +36,12 @@ std::vector<double> extrapolated_increment(const State& state) {
 }  // namespace
 
 ImplicitStep::ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave,
-                           const Layers& layers, const AcousticSettings& settings)
+                           const Layers& layers, const YieldingWalls& walls, const AcousticSettings& settings)
     : mesh_(&mesh),
       space_(&space),
       wave_(&wave),
       layers_(&layers),
+      walls_(&walls),
       density_(settings.density),
       theta_(settings.theta),
       tolerance_(settings.solver_tolerance),
@@ -64,6 +65,7 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
   wave_->add_admittance(-1, state.p, fixed);
   wave_->add_stiffness(-1, potential, fixed);
   layers_->add_forces(theta_ * step.dt, state.p, potential, state, fixed);
+  walls_->add_forces(theta_ * step.dt, state.p, state, fixed);
   space_->halo.add_to_owners(fixed);
   for (std::size_t v = 0; v < step.load.size(); ++v) fixed[v] += step.load[v];
 
@@ -76,7 +78,8 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
       middle_pressure[v] += increment[v];
       potential[v] = state.psi[v] + b * middle_pressure[v] + theta_ * step.dt * convection[v];
     }
-    wave_->potential_convection(potential, middle_pressure, convection);
+    const auto wall_velocities = walls_->velocities(theta_ * step.dt, middle_pressure, state);
+    wave_->potential_convection(potential, middle_pressure, convection, wall_velocities);
   };
   if (step.moves) update_convection();
   for (int pass = 0;; ++pass) {
@@ -112,13 +115,14 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
     update_convection();
   }
 
-  if (layers_->exist()) {
+  if (layers_->exist() || walls_->exist()) {
     middle_pressure = state.p;
     for (std::size_t v = 0; v < num_vertices; ++v) {
       middle_pressure[v] += increment[v];
       potential[v] = state.psi[v] + b * middle_pressure[v] + theta_ * step.dt * convection[v];
     }
     layers_->advance(step.dt, theta_, middle_pressure, potential, state);
+    walls_->advance(step.dt, theta_, middle_pressure, state);
   }
   auto& earlier = state.earlier;
   if (earlier.size() == kEarlierPressures) earlier.pop_back();

@@ -6,6 +6,7 @@
 #include "acoustic_solver/pressure_system.hpp"
 #include "acoustic_solver/state.hpp"
 #include "acoustic_solver/wave_operator.hpp"
+#include "acoustic_solver/yielding_walls.hpp"
 
 namespace vocalis::acoustic {
 
@@ -16,7 +17,7 @@ class ImplicitStep {
  public:
   /// All must outlive the integrator. Collective.
   ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave, const Layers& layers,
-               const AcousticSettings& settings);
+               const YieldingWalls& walls, const AcousticSettings& settings);
 
   /// One sub-step of the state, ghosts current before and after; `wave` holds the geometry of its middle. False, with
   /// the reason in the report, if the system was not solved: then the state is as before. Collective.
@@ -34,6 +35,7 @@ class ImplicitStep {
   const fem::Space* space_;
   const WaveOperator* wave_;
   const Layers* layers_;
+  const YieldingWalls* walls_;
   double density_, theta_, tolerance_;
   PressureSystem system_;
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acoustic_solver/wall_branches.hpp"
+
 namespace vocalis::acoustic {
 
 namespace {
@@ -33,6 +35,7 @@ IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimensi
   if (settings.velocity_elements == VelocityElements::p1) return {Integrator::implicit, "velocities are in P1"};
   if (settings.theta != 0.5) return {Integrator::implicit, "theta is not 1/2"};
   if (!settings.layers.empty()) return {Integrator::implicit, "it knows layers"};
+  if (has_yielding_walls(settings)) return {Integrator::implicit, "it knows walls that yield"};
   // Loops over cells, several times for the terms with β, cost a multiple of sweeps over assembled rows.
   if (moves) return {Integrator::implicit, "the mesh moves"};
   const int steps = count_sub_steps(dt, settings.step);

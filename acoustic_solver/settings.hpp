@@ -15,10 +15,17 @@ enum class Integrator {
 enum class AcousticBoundaryKind {
   rigid,             ///< u·n = 0; what an unnamed boundary is
   admittance,        ///< u·n = µ p / (ρ c)
+  yielding,          ///< u·n = ẇ with m ẅ + b ẇ + k w = p
+  viscothermal,      ///< losses of the boundary layer: u·n ~ sqrt(iω) p
   open,              ///< first-order spherical: u·n = p / (ρ c) + 1 / (ρ R) ∫ p dt
   pressure_release,  ///< p = 0
   flux               ///< where the prescribed source enters: -u·n = g(t)
 };
+
+/// Whether what such a wall does depends on what it did before.
+inline bool yields(AcousticBoundaryKind kind) {
+  return kind == AcousticBoundaryKind::yielding || kind == AcousticBoundaryKind::viscothermal;
+}
 
 /// Where the particle velocity lies; the pressure is in P1.
 enum class VelocityElements {
@@ -31,6 +38,16 @@ struct AcousticBoundary {
   AcousticBoundaryKind kind = AcousticBoundaryKind::rigid;
   double admittance = 0.005;  ///< µ [-], specific
   double radius = 0;          ///< R [m] of the open sphere (circle in 2-D); 0: plane
+
+  // Yielding; the cheek, relaxed, after Ishizaka, French & Flanagan 1975.
+  double mass = 21;           ///< m [kg/m^2]
+  double resistance = 8000;   ///< b [Pa s/m]
+  double stiffness = 845000;  ///< k [Pa/m]
+
+  // Viscothermal; air at 305 K, where c = 350 m/s.
+  double kinematic_viscosity = 1.64e-5;  ///< ν [m^2/s]
+  double thermal_diffusivity = 2.32e-5;  ///< α [m^2/s]
+  double heat_capacity_ratio = 1.4;      ///< γ [-]
 };
 
 /// Sides of the mesh's bounding box.

@@ -14,6 +14,7 @@ struct State {
   std::vector<double> psi;                   ///< velocity potential [m^2/s], u = -∇ψ
   std::vector<double> layer_flux;            ///< φ of absorbing layers, (owned layer cells, dimension) [m/s]
   std::vector<double> layer_integral;        ///< w = ∫ψ dt [m^2], where a layer in space has corners; or empty
+  std::vector<double> wall_motion;           ///< of walls that yield, as `YieldingWalls` lays it out [m/s, m]
   std::vector<std::vector<double>> earlier;  ///< p one, two and three sub-steps ago: for the starting guess alone
 };
 

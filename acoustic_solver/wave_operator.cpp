@@ -25,6 +25,9 @@ WaveOperator::WaveOperator(const mesh::Mesh& mesh, const fem::Space& space, cons
       measures_(mesh.num_cells()),
       lengths_(mesh.num_cells()) {
   if (settings.velocity_elements == VelocityElements::p1) subscales_.emplace(mesh, space);
+  for (const AcousticBoundary& boundary : settings.boundaries) {
+    wall_branches_.push_back(acoustic::wall_branches(settings, boundary));
+  }
   const std::vector<char> all(mesh.num_vertices(), 1);
   mesh.dimension == 2 ? compute_cells<2>(all) : compute_cells<3>(all);
   std::vector<mesh::NamedFacet> free_facets;
@@ -123,7 +126,10 @@ void WaveOperator::system_values(double a, double b, std::vector<double>& values
     }
   }
   for (const BoundaryFacet& facet : facets_) {
-    const double coefficient = facet.on_pressure + b * facet.on_potential;
+    double coefficient = facet.on_pressure + b * facet.on_potential;
+    if (facet.wall >= 0) {
+      for (const WallBranch& branch : wall_branches_[facet.wall]) coefficient += branch.step_admittance(1 / a);
+    }
     if (coefficient == 0) continue;
     const double weight = coefficient * facet_weight(facet);
     double* entry = values.data() + static_cast<std::size_t>(facet.cell) * n * n;
@@ -229,7 +235,8 @@ void WaveOperator::add_convection(std::span<const double> pressure, std::span<do
 }
 
 void WaveOperator::potential_convection(std::span<const double> potential, std::span<const double> pressure,
-                                        std::vector<double>& rates) const {
+                                        std::vector<double>& rates,
+                                        std::span<const std::vector<double>> wall_velocities) const {
   // Sums at a vertex: measure x gradient over its cells, measure; then over its moving walls, each weighed by area and
   // normal velocity: normal, u·n, weight. So where a moving wall meets one that slides along itself the first decides.
   const int d = mesh_->dimension;
@@ -258,6 +265,7 @@ void WaveOperator::potential_convection(std::span<const double> potential, std::
       double* sum = sums.data() + static_cast<std::size_t>(vertices[i]) * columns + d + 1;
       for (int k = 0; k < d; ++k) sum[k] -= weight * inward[k] / length;
       sum[d] += weight * facet.on_pressure * pressure[vertices[i]];
+      if (facet.wall >= 0) sum[d] += weight * wall_velocities[facet.wall][vertices[i]];
       sum[d + 1] += weight;
     }
   }

@@ -6,6 +6,7 @@
 
 #include "acoustic_solver/boundaries.hpp"
 #include "acoustic_solver/orthogonal_subscales.hpp"
+#include "acoustic_solver/wall_branches.hpp"
 #include "core/fem/space.hpp"
 
 namespace vocalis::acoustic {
@@ -16,6 +17,8 @@ namespace vocalis::acoustic {
 ///                                              Crank–Nicolson cancel in part
 ///   stiffness     (∇ψ, ∇q) + <ψ / R, q>_open; with velocity_elements = "P1" (P∇ψ, P∇q) instead of the first term
 ///   admittance    <µ p / (ρ c), q>_walls, open; with velocity_elements = "P1" also (τ / ρ) (P⊥∇p, P⊥∇q), τ = C h / c
+///                                              of walls that yield the system holds that of its step, and
+///                                              `YieldingWalls` what they do of themselves
 ///   convection    (1 / (ρ c²)) (β·∇p, q), and β·∇ψ at the vertices
 ///
 /// Functions that add leave the sums of each rank over its own cells: the caller adds them to the owners. Arrays have
@@ -34,7 +37,7 @@ class WaveOperator {
   /// velocity  (vertices, dimension) β [m/s]; empty: nothing moves
   void set_velocity(std::span<const double> velocity);
 
-  /// (cells, n, n) values of  a mass + admittance + b stiffness  of P1/P0.
+  /// (cells, n, n) values of  a mass + admittance + b stiffness  of P1/P0, a = 1 / (θ dt).
   void system_values(double a, double b, std::vector<double>& values) const;
 
   /// What velocities in P1 change in the product of that matrix with x; nothing if they are in P0. Collective.
@@ -49,9 +52,10 @@ class WaveOperator {
 
   /// β·∇ψ at the vertices [m^2/s^2]: ∇ψ is the lumped L2 projection, but for its component normal to a moving wall,
   /// where a mean over cells on one side alone would be of first order, and ∂ψ/∂n = -u·n is known. Ghosts current.
-  /// Collective.
+  /// wall_velocities: `YieldingWalls::velocities`. Collective.
   void potential_convection(std::span<const double> potential, std::span<const double> pressure,
-                            std::vector<double>& rates) const;
+                            std::vector<double>& rates,
+                            std::span<const std::vector<double>> wall_velocities = {}) const;
 
   /// Acoustic energy ½ p²/(ρ c²) + ½ ρ |∇ψ|², over all ranks [J; J/m in two dimensions]. Collective.
   double energy(std::span<const double> pressure, std::span<const double> potential) const;
@@ -69,6 +73,8 @@ class WaveOperator {
   const double* gradient(std::int32_t cell, int vertex) const {
     return gradients_.data() + (static_cast<std::size_t>(cell) * (mesh_->dimension + 1) + vertex) * mesh_->dimension;
   }
+  /// Of each boundary of the settings; empty where it does not yield.
+  const std::vector<std::vector<WallBranch>>& wall_branches() const { return wall_branches_; }
   /// Weight of the pair (i, j) of a facet's vertices, measure / (d (d + 1)) (1 + δij).
   double facet_weight(const BoundaryFacet& facet) const;
 
@@ -85,6 +91,7 @@ class WaveOperator {
   double subscale_time_;                          ///< τ / (ρ h) [m^2 s/kg]
   std::optional<OrthogonalSubscales> subscales_;  ///< velocities in P1
   std::vector<BoundaryFacet> facets_;
+  std::vector<std::vector<WallBranch>> wall_branches_;
   std::vector<std::int32_t> released_;
   std::vector<double> coordinates_;  ///< (vertices, dimension) [m] of the integrals
   std::vector<double> gradients_;    ///< (cells, dimension + 1, dimension) of the P1 basis [1/m]

@@ -37,6 +37,7 @@ void for_each_acoustic_array(State& state, const std::string& name, const Functi
   function(name + ".psi", state.psi);
   function(name + ".layer_flux", state.layer_flux);
   function(name + ".layer_integral", state.layer_integral);
+  function(name + ".wall_motion", state.wall_motion);
   for (std::size_t i = 0; i < state.earlier.size(); ++i)
     function(name + ".earlier" + std::to_string(i), state.earlier[i]);
 }

@@ -20,10 +20,25 @@ acoustic::AcousticBoundary read_boundary(base::Table& table, Case& config) {
   boundary.group = read_group(table, config);
   boundary.kind = table.choice<Kind>("kind", {{"rigid", Kind::rigid},
                                               {"admittance", Kind::admittance},
+                                              {"yielding", Kind::yielding},
+                                              {"viscothermal", Kind::viscothermal},
                                               {"open", Kind::open},
                                               {"pressure_release", Kind::pressure_release}});
   if (boundary.kind == Kind::admittance) {
     boundary.admittance = table.number_or("admittance", boundary.admittance, base::not_negative);
+  }
+  if (boundary.kind == Kind::yielding) {
+    boundary.mass = table.number_or("mass", boundary.mass, base::positive, "kg/m^2");
+    boundary.resistance = table.number_or("resistance", boundary.resistance, base::not_negative, "Pa s/m");
+    boundary.stiffness = table.number_or("stiffness", boundary.stiffness, base::not_negative, "Pa/m");
+  }
+  if (boundary.kind == Kind::viscothermal) {
+    boundary.kinematic_viscosity =
+        table.number_or("kinematic_viscosity", boundary.kinematic_viscosity, base::positive, "m^2/s");
+    boundary.thermal_diffusivity =
+        table.number_or("thermal_diffusivity", boundary.thermal_diffusivity, base::not_negative, "m^2/s");
+    boundary.heat_capacity_ratio =
+        table.number_or("heat_capacity_ratio", boundary.heat_capacity_ratio, base::between(1, 2));
   }
   if (boundary.kind == Kind::open) {
     boundary.radius = table.number_or("radius", boundary.radius, base::not_negative, "m");

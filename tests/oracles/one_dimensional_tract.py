@@ -10,7 +10,7 @@ resonates where |U_lips / U_glottis| peaks. In the plane A is the height, a volu
 the poles of this ratio in the complex plane, which exist where wide peaks run into each other, too.
 
 Run it to print the tables quoted in cases/*/README.md; `--check` compares them with the published numbers. A case file of
-cases/vowel_i/tract.geo as its argument gives the formants of its areas, rigid and with walls of several admittances.
+cases/vowel_i/tract.geo as its argument gives the formants of its areas, rigid and with walls of several kinds.
 """
 
 import math
@@ -74,7 +74,8 @@ def strip_piston(ka, terms=30):
 def chain(lengths, areas, wavenumber, admittance=0.0, slopes=None):
     """The 2 x 2 transfer matrix (p, U) of cylinders from the first to the last; entries one per frequency.
 
-    admittance  of locally reacting walls, times rho c; circular sections: k^2 -> k^2 - i k admittance S / A
+    admittance  of locally reacting walls, times rho c, a number or a function of the wavenumber; circular sections:
+                k^2 -> k^2 - i k admittance S / A
     slopes      dR/dx of circular walls: the flow goes along lines that keep their share r / R of the radius, which makes
                 it heavier by 1 + slope^2 / 2; and there is more wall. None: plane waves
     """
@@ -82,6 +83,7 @@ def chain(lengths, areas, wavenumber, admittance=0.0, slopes=None):
     a, b = numpy.ones_like(wavenumber, dtype=complex), numpy.zeros_like(wavenumber, dtype=complex)
     c, d = numpy.zeros_like(a), numpy.ones_like(a)
     slopes = numpy.zeros(len(lengths)) if slopes is None else slopes
+    admittance = admittance(wavenumber) if callable(admittance) else admittance
     for length, area, slope in zip(lengths, areas, slopes):
         inertance = 1 + slope ** 2 / 2
         perimeter = 2 * math.sqrt(math.pi * area * (1 + slope ** 2))
@@ -92,6 +94,26 @@ def chain(lengths, areas, wavenumber, admittance=0.0, slopes=None):
         a, b = a * cosine + b * down, a * up + b * cosine
         c, d = c * cosine + d * down, c * up + d * cosine
     return a, b, c, d
+
+
+def yielding_wall(mass, resistance, stiffness):
+    """rho c Y of a wall m w'' + b w' + k w = p [kg/m^2, Pa s/m, Pa/m], as a function of the wavenumber."""
+    def admittance(wavenumber):
+        rate = 1j * SPEED_OF_SOUND * wavenumber
+        return DENSITY * SPEED_OF_SOUND / (mass * rate + resistance + stiffness / rate)
+    return admittance
+
+
+# Ishizaka, French and Flanagan 1975, IEEE Trans. Acoust. Speech Signal Process. 23, 370: 2.1 g/cm^2, 800 dyn s/cm^3 and
+# 84,500 dyn/cm^3 for the relaxed cheek; 2.4, 2320 and 491,000 for the neck.
+CHEEK = yielding_wall(21, 8000, 845e3)
+NECK = yielding_wall(24, 23200, 4910e3)
+
+
+def boundary_layer(kinematic_viscosity=1.64e-5, thermal_diffusivity=2.32e-5, heat_capacity_ratio=1.4):
+    """rho c Y of the viscothermal losses at a wall along which sound travels (Kirchhoff 1868), of the wavenumber."""
+    factor = math.sqrt(kinematic_viscosity) + (heat_capacity_ratio - 1) * math.sqrt(thermal_diffusivity)
+    return lambda wavenumber: numpy.sqrt(1j * SPEED_OF_SOUND * wavenumber + 0j) * factor / SPEED_OF_SOUND
 
 
 def story_cylinders(areas=STORY_I):
@@ -322,13 +344,15 @@ def print_case(path):
         return circular_piston(k * mouth)
 
     f = numpy.arange(50.0, 5500.0, 1.0)
-    for admittance in (0, 0.005, 0.05):
+    walls = {"wall admittance 0": 0, "wall admittance 0.005": 0.005, "wall admittance 0.05": 0.05,
+             "yielding as the cheek": CHEEK, "yielding as the neck": NECK, "viscothermal": boundary_layer()}
+    for name, admittance in walls.items():
         found = {"plane waves, peaks": peaks(f, transfer(f, ducts[:2], radiation, admittance=admittance)),
                  "plane waves, poles": poles(ducts[:2], radiation, admittance),
                  "flow lines,  poles": poles(ducts, radiation, admittance)}
         for kind, row in found.items():
             text = "  ".join(f"{frequency:7.1f} ({bandwidth:.1f})" for frequency, bandwidth in row)
-            print(f"wall admittance {admittance:<6g} {kind}  {text}")
+            print(f"{name:<22} {kind}  {text}")
 
 
 def main(arguments):

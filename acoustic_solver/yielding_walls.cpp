@@ -1,0 +1,116 @@
+#include "acoustic_solver/yielding_walls.hpp"
+
+#include <set>
+
+#include "core/base/mpi.hpp"
+
+namespace vocalis::acoustic {
+
+YieldingWalls::YieldingWalls(const mesh::Mesh& mesh, const WaveOperator& wave) : mesh_(&mesh), wave_(&wave) {
+  std::vector<std::set<std::int32_t>> vertices(wave.wall_branches().size());
+  for_each_facet([&](const BoundaryFacet& facet, const std::int32_t* corners, int count) {
+    vertices[facet.wall].insert(corners, corners + count);
+  });
+  for (std::size_t b = 0; b < vertices.size(); ++b) {
+    if (wave.wall_branches()[b].empty()) continue;
+    Wall wall{b, num_numbers_, {vertices[b].begin(), vertices[b].end()}, wave.wall_branches()[b]};
+    num_numbers_ += 2 * wall.vertices.size() * wall.branches.size();
+    walls_.push_back(std::move(wall));
+  }
+}
+
+template <class Function>
+void YieldingWalls::for_each_facet(const Function& function) const {
+  for (const BoundaryFacet& facet : wave_->facets()) {
+    if (facet.wall < 0) continue;
+    const auto vertices = mesh_->vertices_of(facet.cell);
+    std::int32_t corners[3];
+    int count = 0;
+    for (int i = 0; i <= mesh_->dimension; ++i) {
+      if (i != facet.index) corners[count++] = vertices[i];
+    }
+    function(facet, corners, count);
+  }
+}
+
+void YieldingWalls::prepare(State& state) const {
+  if (state.wall_motion.size() != num_numbers_) state.wall_motion.assign(num_numbers_, 0.0);
+}
+
+double YieldingWalls::branch_velocity(const WallBranch& branch, double beta, double pressure, const double* motion) {
+  const double force = pressure + branch.mass / beta * motion[0] - branch.stiffness * motion[1];
+  return branch.step_admittance(beta) * force;
+}
+
+std::vector<std::vector<double>> YieldingWalls::velocities(double beta, std::span<const double> pressure,
+                                                           const State& state) const {
+  std::vector<std::vector<double>> result(wave_->wall_branches().size());
+  for (const Wall& wall : walls_) {
+    std::vector<double>& velocity = result[wall.boundary];
+    velocity.assign(mesh_->num_vertices(), 0.0);
+    const double* motion = state.wall_motion.data() + wall.first;
+    for (const WallBranch& branch : wall.branches) {
+      for (const std::int32_t v : wall.vertices) {
+        velocity[v] += branch_velocity(branch, beta, pressure[v], motion);
+        motion += 2;
+      }
+    }
+  }
+  return result;
+}
+
+void YieldingWalls::add_forces(double beta, std::span<const double> pressure, const State& state,
+                               std::span<double> sums) const {
+  if (walls_.empty()) return;
+  const auto velocity = velocities(beta, pressure, state);
+  for_each_facet([&](const BoundaryFacet& facet, const std::int32_t* corners, int count) {
+    const double weight = wave_->facet_weight(facet);
+    const std::vector<double>& here = velocity[facet.wall];
+    double total = 0;
+    for (int i = 0; i < count; ++i) total += here[corners[i]];
+    for (int i = 0; i < count; ++i) sums[corners[i]] -= weight * (total + here[corners[i]]);
+  });
+}
+
+void YieldingWalls::advance(double dt, double theta, std::span<const double> pressure, State& state) const {
+  for (const Wall& wall : walls_) {
+    double* motion = state.wall_motion.data() + wall.first;
+    for (const WallBranch& branch : wall.branches) {
+      for (const std::int32_t v : wall.vertices) {
+        const double middle = branch_velocity(branch, theta * dt, pressure[v], motion);
+        motion[0] += (middle - motion[0]) / theta;
+        motion[1] += dt * middle;
+        motion += 2;
+      }
+    }
+  }
+}
+
+double YieldingWalls::energy(const State& state) const {
+  double result = 0;
+  for (const Wall& wall : walls_) {
+    const double* motion = state.wall_motion.data() + wall.first;
+    for (const WallBranch& branch : wall.branches) {
+      std::vector<double> velocity(mesh_->num_vertices(), 0.0), displacement(mesh_->num_vertices(), 0.0);
+      for (const std::int32_t v : wall.vertices) {
+        velocity[v] = motion[0];
+        displacement[v] = motion[1];
+        motion += 2;
+      }
+      for_each_facet([&](const BoundaryFacet& facet, const std::int32_t* corners, int count) {
+        if (static_cast<std::size_t>(facet.wall) != wall.boundary) return;
+        const double weight = 0.5 * wave_->facet_weight(facet);
+        for (int i = 0; i < count; ++i) {
+          for (int j = 0; j < count; ++j) {
+            result += (i == j ? 2 : 1) * weight *
+                      (branch.mass * velocity[corners[i]] * velocity[corners[j]] +
+                       branch.stiffness * displacement[corners[i]] * displacement[corners[j]]);
+          }
+        }
+      });
+    }
+  }
+  return base::sum(mesh_->comm, result);
+}
+
+}  // namespace vocalis::acoustic
