@@ -14,8 +14,8 @@ namespace {
 
 // The middle of the band, 50 to 10,000 Hz, and what makes the largest error in it smallest.
 constexpr double kMiddleOfBand = 707;  // [Hz]
-constexpr double kRatioOfPoints = 2.62;
-constexpr int kNumPoints = 5;
+constexpr double kRatioOfPoints = 2.18;
+constexpr int kNumPoints = 6;
 
 void check(const AcousticBoundary& boundary, const char* name, double value, bool may_be_zero) {
   if (value > 0 || (may_be_zero && value == 0)) return;

@@ -23,11 +23,11 @@ struct WallBranch {
 /// Y(s) = Σ 1 / (m s + b + k / s) [m/(s Pa)], s = iω or a complex rate [1/s] other than 0.
 std::complex<double> wall_admittance(std::span<const WallBranch> branches, std::complex<double> rate);
 
-/// The branches whose sum is factor sqrt(s), to 1.4 % from 50 to 10,000 Hz in amount and phase together:
+/// The branches whose sum is factor sqrt(s), to 0.7 % from 50 to 10,000 Hz in amount and phase together:
 ///
 ///   sqrt(s) = (2 / π) ∫ s / (s + x²) dx,    0 < x < ∞,
 ///
-/// by the trapezoidal rule in ln x at five points, the rest below them as a resistance and the rest above as a
+/// by the trapezoidal rule in ln x at six points, the rest below them as a resistance and the rest above as a
 /// stiffness. Each term c s / (s + x²) is a branch of b = 1 / c and k = x² / c.
 std::vector<WallBranch> square_root_branches(double factor);
 

@@ -83,6 +83,10 @@ MISTAKES = [
     scene("region left out", '[[region]]\nname = "room"\nkind = "air"\n', "", "room", "[[region]]"),
     scene("unknown group", 'group = "inlet"', 'group = "inlett"', "inlett", "did you mean \"inlet\""),
     scene("unknown group of sound", 'group = "open"', 'group = "sky"', "acoustic[sound].boundary[sky].group", "sky"),
+    scene("wall without mass", 'kind = "open"', 'kind = "yielding"\nmass = 0', "acoustic[sound].boundary[open].mass", "kg/m^2"),
+    scene("mass of a wall that does not yield", 'kind = "open"', 'kind = "admittance"\nmass = 21', "mass"),
+    Mistake("yielding wall of the explicit integrator", "scene.toml", [('kind = "open"', 'kind = "yielding"')],
+            ["need the implicit integrator", "auto"], ["--set", 'acoustic.integrator="explicit"']),
     scene("layer on no side", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["right"]\nthickness = 0.01\n'
           "[[microphone]]", "acoustic[sound].layer", "sides", "x_min, x_max"),
     scene("layer thinner than two cells", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["x_max"]\n'

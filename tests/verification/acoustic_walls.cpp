@@ -41,7 +41,7 @@ Complex ring(const mesh::Mesh& mesh, const AcousticSettings& settings, double k,
     Complex sum = 0;
     for (std::int32_t v = 0; v < mesh.vertices.num_owned; ++v) {
       const double shape = std::cos(k * mesh.point(v)[0]);
-      sum += shape * Complex(solver.state().p[v], -settings.density * c * k * solver.state().psi[v]);
+      sum += shape * Complex(solver.state().p[v], settings.density * c * k * solver.state().psi[v]);
     }
     return Complex(base::sum(mesh.comm, sum.real()), base::sum(mesh.comm, sum.imag()));
   };
