@@ -132,6 +132,7 @@ void AcousticSolver::adopt(const mesh::Mesh& mesh, State carried) {
   state_ = std::move(carried);
   state_.layer_flux.clear();
   state_.layer_integral.clear();
+  state_.wall_motion.clear();
   discretisation_->layers.prepare(state_);
   discretisation_->walls.prepare(state_);
 }
