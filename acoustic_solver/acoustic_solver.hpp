@@ -57,7 +57,7 @@ class AcousticSolver {
   /// Forgets matrices and preconditioner: what follows depends on the state alone, to the last bit.
   void drop_caches();
   /// Goes on with another mesh, of other cells, and the state carried to its vertices. φ and w of layers, which belong
-  /// to the cells before, begin at 0 again. Collective.
+  /// to the cells before, begin at 0 again, and walls that yield at rest. Collective.
   void adopt(const mesh::Mesh& mesh, State carried);
 
   const AcousticSettings& settings() const { return settings_; }
