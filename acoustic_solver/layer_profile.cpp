@@ -108,7 +108,8 @@ LayerSide layer_side(const mesh::Mesh& mesh, const AcousticSettings& settings, c
                     fmt::format("thickness {} m, cells of {:.3g} m", layer.thickness, length),
                     "make it twelve cells thick or more");
   }
-  if (have_closed_edges(mesh, settings) && side.greatest * length > kMostDampingOfCell * settings.speed_of_sound) {
+  if (!layer.may_grow && have_closed_edges(mesh, settings) &&
+      side.greatest * length > kMostDampingOfCell * settings.speed_of_sound) {
     throw UserError(
         fmt::format("where layers of acoustic solver '{}' absorb along two of three axes they are at least {:.2g} "
                     "cells thick: in thinner ones sound grows",

@@ -20,7 +20,8 @@ struct LayerSide {
 ///
 /// The profile is linear: of the powers 0.5 to 3 it reflects least of plane waves where the layer has 6 to 15 cells
 /// (docs/theory.md).
-/// Throws UserError if a layer is thinner than two cells, so thin that sound grows in an edge of two layers, meets one
+/// Throws UserError if a layer is thinner than two cells, so thin that sound grows in an edge of two layers
+/// (unless it may), meets one
 /// from the other side, or makes no sense otherwise. Collective.
 std::vector<LayerSide> layer_sides(const mesh::Mesh& mesh, const AcousticSettings& settings);
 

@@ -65,6 +65,7 @@ struct AbsorbingLayer {
   std::vector<BoxSide> sides;
   double thickness = 0;      ///< [m]
   double reflection = 1e-3;  ///< of a plane wave at a right angle, there and back from a rigid end
+  bool may_grow = false;     ///< take thin layers along two of three axes too: good for short times only
 };
 
 /// One acoustic solver: its medium, boundaries and step.
