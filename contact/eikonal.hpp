@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/fem/field.hpp"
+#include "core/la/assembled_matrix.hpp"
+#include "core/la/solve.hpp"
+
+namespace vocalis::contact {
+
+struct EikonalSettings {
+  double viscosity = 0.5;   ///< ε over the length of a cell along ∇D; a central scheme needs one half
+  double tolerance = 1e-8;  ///< change of a Newton step over the largest distance
+  int largest_iterations = 60;
+};
+
+struct EikonalReport {
+  bool converged = false;
+  int iterations = 0;         ///< of Newton
+  int linear_iterations = 0;  ///< over all
+  std::string reason;         ///< empty when converged
+};
+
+/// Distance from the marked dofs as the solution of the Eikonal equation with artificial viscosity, P1:
+///
+///   ∫ (|∇D| - 1) q + ε ∇D·∇q = 0 for all q,   D = 0 at the marked dofs,   ε = viscosity times the cell's length,
+///
+/// by Newton's method (which for this convex equation is policy iteration). First order in the length of cells.
+/// Source: Degirmenci 2018, Algorithm 2, steps 2 and 5 (stabilised cG(1)).
+class Eikonal {
+ public:
+  /// `space` is P1 and must outlive the solver. Collective.
+  explicit Eikonal(const fem::Space& space);
+
+  /// coordinates  (vertices, dimension) [m], ghosts current
+  /// is_zero      (dofs) where D = 0, ghosts current; at least one on some rank
+  /// distance     [m] on entry a starting guess, or all zero: then one is found from Poisson's equation (Tucker 2003,
+  ///              J. Comput. Phys. 190, 229, eq. 8); on return the solution, ghosts current
+  /// Collective.
+  EikonalReport solve(std::span<const double> coordinates, std::span<const char> is_zero,
+                      const EikonalSettings& settings, fem::Field& distance);
+
+ private:
+  template <int D>
+  void compute_cells(std::span<const double> coordinates);
+  void assemble(const fem::Field* distance, double viscosity, std::span<const char> is_zero, Vec right_hand_side);
+  void start(std::span<const char> is_zero, fem::Field& distance, EikonalReport& report);
+  la::SolveReport solve_linear(Vec right_hand_side, fem::Field& solution);
+
+  const fem::Space* space_;
+  la::SystemLayout layout_;
+  std::vector<double> gradients_;  ///< (cells, dimension + 1, dimension) [1/m]
+  std::vector<double> measures_;   ///< (cells) [m^2, m^3]
+  std::vector<double> values_;
+  std::unique_ptr<la::AssembledMatrix> matrix_;
+  la::PetscLinearSolver solver_;
+};
+
+}  // namespace vocalis::contact

@@ -1,0 +1,88 @@
+#include "contact/wall_distance.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "contact/nearest_facet.hpp"
+#include "core/fem/simplex.hpp"
+
+namespace vocalis::contact {
+
+namespace {
+
+bool is_zero(const double* vector, int dimension) {
+  return std::all_of(vector, vector + dimension, [](double value) { return value == 0; });
+}
+
+/// Means of ∇D over the cells around each dof, weighted by their measure, at the dofs where `direction` is still 0.
+template <int D>
+void add_mean_slopes(const fem::Field& distance, std::span<const double> coordinates, std::vector<double>& direction) {
+  const fem::Space& space = *distance.space;
+  const mesh::Mesh& mesh = *space.mesh;
+  std::vector<double> sums(static_cast<std::size_t>(space.num_dofs()) * (D + 1), 0.0);  // measure x slope, measure
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    const auto dofs = space.dofs_of(cell);
+    if (dofs[0] < 0) continue;
+    std::array<const double*, D + 1> corners;
+    for (int i = 0; i <= D; ++i) {
+      corners[i] = coordinates.data() + static_cast<std::size_t>(mesh.vertices_of(cell)[i]) * D;
+    }
+    const auto geometry = fem::simplex_geometry<D>(corners);
+    std::array<double, D> slope = {};
+    for (int i = 0; i <= D; ++i) {
+      for (int k = 0; k < D; ++k) slope[k] += distance.values[dofs[i]] * geometry.gradient[i][k];
+    }
+    for (const std::int32_t dof : dofs) {
+      double* sum = sums.data() + static_cast<std::size_t>(dof) * (D + 1);
+      for (int k = 0; k < D; ++k) sum[k] += geometry.measure * slope[k];
+      sum[D] += geometry.measure;
+    }
+  }
+  space.halo.add_to_owners(sums, D + 1);
+  space.halo.copy_to_ghosts(sums, D + 1);
+  for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
+    double* here = direction.data() + static_cast<std::size_t>(dof) * D;
+    if (!is_zero(here, D)) continue;
+    const double* sum = sums.data() + static_cast<std::size_t>(dof) * (D + 1);
+    for (int k = 0; k < D; ++k) here[k] = sum[k] / sum[D];
+  }
+}
+
+}  // namespace
+
+WallDistance direct_distance(const fem::Space& space, std::span<const mesh::NamedFacet> facets,
+                             std::span<const double> coordinates, std::span<const SymmetryPlane> planes, double bound) {
+  const int d = space.mesh->dimension;
+  const Walls walls = gather_walls(*space.mesh, facets, coordinates, planes);
+  const NearestFacet tree(walls);
+  WallDistance result{fem::Field(space, 1), wall_normals(space, facets, coordinates)};
+  for (std::int32_t dof = 0; dof < space.dofs.num_owned; ++dof) {
+    double* direction = result.direction.data() + static_cast<std::size_t>(dof) * d;
+    if (!is_zero(direction, d)) continue;
+    const Nearest nearest = tree.find(coordinates.data() + static_cast<std::size_t>(space.dof_vertex[dof]) * d, bound);
+    result.distance.values[dof] = std::min(nearest.distance, bound);
+    if (nearest.facet >= 0)
+      std::copy_n(walls.normals.data() + static_cast<std::size_t>(nearest.facet) * d, d, direction);
+  }
+  result.distance.copy_to_ghosts();
+  space.halo.copy_to_ghosts(result.direction, d);
+  return result;
+}
+
+WallDistance eikonal_distance(Eikonal& eikonal, const fem::Space& space, std::span<const mesh::NamedFacet> facets,
+                              std::span<const double> coordinates, const EikonalSettings& settings,
+                              std::span<const double> guess, EikonalReport& report) {
+  const int d = space.mesh->dimension;
+  WallDistance result{fem::Field(space, 1), wall_normals(space, facets, coordinates)};
+  std::copy(guess.begin(), guess.end(), result.distance.values.begin());
+  std::vector<char> on_wall(space.num_dofs());
+  for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
+    on_wall[dof] = !is_zero(result.direction.data() + static_cast<std::size_t>(dof) * d, d);
+  }
+  report = eikonal.solve(coordinates, on_wall, settings, result.distance);
+  d == 2 ? add_mean_slopes<2>(result.distance, coordinates, result.direction)
+         : add_mean_slopes<3>(result.distance, coordinates, result.direction);
+  return result;
+}
+
+}  // namespace vocalis::contact
