@@ -1,6 +1,7 @@
 #include "fsi_solver/continuum.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -13,21 +14,48 @@ namespace vocalis::fsi {
 
 namespace {
 
-/// Which solids have a dof of the velocity, and which dof a vertex has.
-void find_dofs(Continuum& continuum) {
-  const fem::Space& space = continuum.velocity_space;
-  continuum.dof_solid.assign(space.num_dofs(), Continuum::fluid);
-  continuum.vertex_to_dof.assign(continuum.mesh->num_vertices(), -1);
+/// The last of the solids that have each dof or vertex. Dofs of a cell come vertices first.
+std::vector<std::int32_t> solid_of(const Continuum& continuum, const fem::Space& space) {
+  std::vector<std::int32_t> result(space.num_dofs(), Continuum::fluid);
   for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
-    for (const std::int32_t dof : space.dofs_of(cell)) {
-      continuum.dof_solid[dof] = std::max(continuum.dof_solid[dof], continuum.cell_solid[cell]);
-    }
+    for (const std::int32_t dof : space.dofs_of(cell)) result[dof] = std::max(result[dof], continuum.cell_solid[cell]);
   }
-  space.halo.max_to_owners(continuum.dof_solid);
-  space.halo.copy_to_ghosts(continuum.dof_solid);
+  space.halo.max_to_owners(result);
+  space.halo.copy_to_ghosts(result);
+  return result;
+}
+
+/// All that follows from which cell is what.
+void sort_by_kind(Continuum& continuum) {
+  continuum.dof_solid = solid_of(continuum, continuum.velocity_space);
+  continuum.vertex_solid = solid_of(continuum, continuum.vertex_space);
+  std::vector<std::int32_t> all(continuum.mesh->num_cells());
+  std::iota(all.begin(), all.end(), 0);
+  continuum.batches = make_batches(all, continuum.cell_solid, continuum.velocity_space, continuum.pressure_space);
+}
+
+std::vector<std::int32_t> find_vertex_dofs(const Continuum& continuum) {
+  const fem::Space& space = continuum.velocity_space;
+  std::vector<std::int32_t> vertex_to_dof(continuum.mesh->num_vertices(), -1);
   for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
-    if (space.dof_vertex[dof] >= 0) continuum.vertex_to_dof[space.dof_vertex[dof]] = dof;
+    if (space.dof_vertex[dof] >= 0) vertex_to_dof[space.dof_vertex[dof]] = dof;
   }
+  return vertex_to_dof;
+}
+
+/// The contact medium is the last of the solids, in no cell yet; its pressure is the fluid's.
+void add_contact_medium(Continuum& continuum, const FlowSettings& settings) {
+  SolidMaterial medium;
+  medium.incompressible = true;
+  medium.density = settings.density;
+  medium.young_modulus = settings.contact->young_modulus;
+  medium.damping = settings.contact->damping;
+  continuum.contact = static_cast<std::int32_t>(continuum.solids.size());
+  continuum.solids.push_back(medium);
+  continuum.elasticity.push_back(elasticity(medium));
+  continuum.closing_points.assign(static_cast<std::size_t>(continuum.mesh->num_cells()) *
+                                      continuum.velocity_space.dofs_per_cell * continuum.mesh->dimension,
+                                  0.0);
 }
 
 }  // namespace
@@ -59,15 +87,6 @@ Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings) {
     in_fluid[cell] = solid < 0;
     label[cell] = result.has_pressure(cell) ? solid + 1 : -1;
   }
-  result.vertex_solid.assign(mesh.num_vertices(), Continuum::fluid);
-  for (std::size_t i = 0; i < settings.solids.size(); ++i) {
-    std::vector<std::int32_t> inside(cells);
-    for (std::int32_t cell = 0; cell < cells; ++cell) inside[cell] = result.cell_solid[cell] == static_cast<int>(i);
-    const std::vector<std::int32_t> marks = mesh::mark_vertices_of_cells(mesh, inside);
-    for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
-      if (marks[v]) result.vertex_solid[v] = static_cast<std::int32_t>(i);
-    }
-  }
   const auto here = [&](bool fluid) {
     return static_cast<std::int32_t>(std::count(in_fluid.begin(), in_fluid.end(), fluid ? 1 : 0));
   };
@@ -77,11 +96,30 @@ Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings) {
   result.velocity_space = fem::lagrange(mesh, settings.elements == Elements::p1p1 ? 1 : 2);
   result.pressure_space = fem::lagrange(mesh, 1, label);
   result.reference_points = fem::dof_points(result.velocity_space);
-  find_dofs(result);
-  std::vector<std::int32_t> all(cells);
-  std::iota(all.begin(), all.end(), 0);
-  result.batches = make_batches(all, result.cell_solid, result.velocity_space, result.pressure_space);
+  result.vertex_to_dof = find_vertex_dofs(result);
+  if (settings.contact && result.has_fluid) add_contact_medium(result, settings);
+  sort_by_kind(result);
   return result;
+}
+
+void set_contact(Continuum& continuum, std::span<const char> in_contact, std::span<const double> points) {
+  const int d = continuum.mesh->dimension, nodes = continuum.velocity_space.dofs_per_cell;
+  for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
+    std::int32_t& solid = continuum.cell_solid[cell];
+    if (!in_contact[cell]) {
+      if (solid == continuum.contact) solid = Continuum::fluid;
+      continue;
+    }
+    assert(solid == Continuum::fluid || solid == continuum.contact);
+    if (solid == continuum.contact) continue;
+    solid = continuum.contact;
+    const auto dofs = continuum.velocity_space.dofs_of(cell);
+    for (int a = 0; a < nodes; ++a) {
+      std::copy_n(points.data() + static_cast<std::size_t>(dofs[a]) * d, d,
+                  continuum.closing_points.data() + (static_cast<std::size_t>(cell) * nodes + a) * d);
+    }
+  }
+  sort_by_kind(continuum);
 }
 
 std::vector<std::int32_t> mark_dofs(const fem::Space& space, const std::vector<mesh::NamedFacet>& facets) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/fem/field.hpp"
@@ -20,6 +21,9 @@ struct Continuum {
   std::vector<SolidMaterial> solids;
   std::vector<Elasticity> elasticity;       ///< of each solid
   std::vector<std::int32_t> cell_solid;     ///< (owned cells) index in `solids`, or `fluid`
+  std::int32_t contact = -2;                ///< index in `solids` of the contact medium; -2: there is none
+  std::vector<double> closing_points;       ///< (owned cells, velocity nodes, dimension) [m] where contact cells have
+                                            ///< closed, which is their reference; empty without a contact medium
   std::vector<std::int32_t> vertex_solid;   ///< (vertices) the last of the solids that have this vertex, or `fluid`
   bool has_fluid = false;                   ///< on any rank
   bool has_solid = false;                   ///< on any rank
@@ -31,12 +35,22 @@ struct Continuum {
   std::vector<double> reference_points;     ///< (velocity dofs, dimension) [m], on the true curve of a boundary
   CellBatches batches;                      ///< of all owned cells
 
+  /// Label of the pressure of a solid or the fluid: contact cells keep the fluid's.
+  int pressure_label(std::int32_t solid) const { return solid == contact ? 0 : 1 + solid; }
   int labels() const { return 1 + static_cast<int>(solids.size()); }
   bool has_pressure(std::int32_t cell) const { return cell_solid[cell] < 0 || solids[cell_solid[cell]].incompressible; }
 };
 
 /// Collective. Throws UserError if a solid's region is not in the mesh, or is named twice.
 Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings);
+
+/// Makes these fluid cells contact cells, and all others what they are by their region. Those that were none before
+/// take the given places of the velocity's dofs as their reference. Nothing else may rely on which cells are fluid.
+///
+/// in_contact  (owned cells); solid cells must not be among them
+/// points      (velocity dofs, dimension) [m], ghosts current
+/// Collective.
+void set_contact(Continuum& continuum, std::span<const char> in_contact, std::span<const double> points);
 
 /// Whether each local dof of a space lies on one of the facets, on any rank. Collective.
 std::vector<std::int32_t> mark_dofs(const fem::Space& space, const std::vector<mesh::NamedFacet>& facets);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "core/mesh/facets.hpp"
@@ -41,6 +42,13 @@ struct FsiSolver::Inside {
 };
 
 namespace {
+
+/// Of the velocity's dofs, (dofs, dimension) [m].
+std::vector<double> moved_points(const Continuum& continuum, const fem::Field& displacement) {
+  std::vector<double> points = continuum.reference_points;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] += displacement.values[i];
+  return points;
+}
 
 std::vector<double> moved_coordinates(const Continuum& continuum, const fem::Field& displacement) {
   std::vector<double> result = continuum.mesh->coordinates;
@@ -98,8 +106,26 @@ void FsiSolver::accept() {
     const std::array<double, 2> present = speeds(in.continuum, in.state.velocity);
     for (int i = 0; i < 2; ++i) in.state.largest_speeds[i] = std::max(in.state.largest_speeds[i], present[i]);
   }
+  const double left = in.settings.mesh_recovery > 0 ? std::exp(-in.tried_dt / in.settings.mesh_recovery) : 0;
+  for (double& value : in.state.mesh_offset) value *= left;
   in.state.time += in.tried_dt;
   in.state.last_dt = std::exchange(in.tried_dt, 0);
+}
+
+void FsiSolver::set_contact(std::span<const char> in_contact) {
+  Inside& in = *inside_;
+  assert(in.continuum.contact >= 0 && in.motion);
+  vocalis::fsi::set_contact(in.continuum, in_contact, moved_points(in.continuum, in.state.displacement));
+  in.motion->rebuild();
+  in.newton->drop_jacobian();
+  in.state.in_contact.assign(in_contact.begin(), in_contact.end());
+  in.state.closing_points = in.continuum.closing_points;
+  fem::Field smooth = at_vertices(in.continuum, in.state.displacement);
+  const std::vector<double> here = smooth.values;
+  in.motion->begin_step(smooth);
+  in.motion->extend(smooth);
+  in.state.mesh_offset.resize(here.size());
+  for (std::size_t i = 0; i < here.size(); ++i) in.state.mesh_offset[i] = here[i] - smooth.values[i];
 }
 
 const State& FsiSolver::state() const { return inside_->state; }
@@ -113,6 +139,12 @@ void FsiSolver::set_state(const State& state) {
   }
   inside_->state.pressure.space = &inside_->continuum.pressure_space;
   inside_->tried_dt = 0;
+  if (!state.in_contact.empty()) {
+    vocalis::fsi::set_contact(inside_->continuum, state.in_contact,
+                              moved_points(inside_->continuum, state.displacement));
+    inside_->continuum.closing_points = state.closing_points;
+    inside_->motion->rebuild();
+  }
   drop_caches();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,11 @@ class FsiSolver {
   StepReport try_step(double dt);
   /// Makes the last step, which must have converged, the accepted state. Collective.
   void accept();
+
+  /// Makes these owned fluid cells contact cells, from the accepted state on, and lets go of all others. Needs
+  /// FlowSettings::contact. The mesh stays where it is: where it is no longer held it comes back within
+  /// `mesh_recovery`. Collective.
+  void set_contact(std::span<const char> in_contact);
 
   const State& state() const;
   double time() const { return state().time; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,14 @@ enum class Geometry { implicit, explicit_ };
 /// How the fluid's mesh follows the solids: linear elasticity alone, or a non-linear smoother where that gets bad.
 enum class Smoother { linear, nonlinear };
 
+/// What a fluid cell between walls that touch becomes: an incompressible neo-Hookean solid whose reference is the shape
+/// that it had when it closed.
+/// Source: Degirmenci 2018, 3.2 (unified continuum contact).
+struct ContactMedium {
+  double young_modulus = 0;  ///< E [Pa], > 0
+  double damping = 0;        ///< Kelvin–Voigt viscosity η [Pa s]
+};
+
 struct FlowSettings {
   double density = 1.2;       ///< ρ [kg/m^3]
   double viscosity = 1.8e-5;  ///< µ [Pa s]
@@ -82,6 +91,8 @@ struct FlowSettings {
   Smoother smoother = Smoother::linear;
   double smoother_quality =
       0.3;  ///< below this smallest quality of the fluid's mesh the non-linear smoother takes over
+  std::optional<ContactMedium> contact;  ///< none: walls cannot touch
+  double mesh_recovery = 0;              ///< [s] in which the mesh of cells that opened comes back, see `MeshFollower`
 };
 
 }  // namespace vocalis::fsi

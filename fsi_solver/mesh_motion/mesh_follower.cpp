@@ -18,11 +18,16 @@ MeshFollower::MeshFollower(const Continuum& continuum, const Conditions& conditi
                            base::Timers& timers)
     : continuum_(continuum),
       timers_(timers),
-      quality_(settings.smoother_quality),
-      linear_(continuum, conditions, settings.mesh_stiffening),
+      conditions_(conditions),
+      settings_(settings),
       start_(continuum.vertex_space, continuum.mesh->dimension) {
-  if (settings.smoother == Smoother::nonlinear) {
-    nonlinear_ = std::make_unique<NonlinearSmoother>(continuum, conditions, settings.mesh_stiffening);
+  rebuild();
+}
+
+void MeshFollower::rebuild() {
+  linear_.emplace(continuum_, conditions_, settings_.mesh_stiffening);
+  if (settings_.smoother == Smoother::nonlinear) {
+    nonlinear_ = std::make_unique<NonlinearSmoother>(continuum_, conditions_, settings_.mesh_stiffening);
   }
 }
 
@@ -36,9 +41,10 @@ void MeshFollower::drop_factors() {
 
 void MeshFollower::extend(fem::Field& displacement) {
   const auto scope = timers_.scope("mesh_motion");
-  linear_.extend(displacement);
+  linear_->extend(displacement);
   if (!nonlinear_) return;
-  const double bad = std::clamp(2 * (1 - smallest_quality(continuum_, displacement) / quality_), 0.0, 1.0);
+  const double bad =
+      std::clamp(2 * (1 - smallest_quality(continuum_, displacement) / settings_.smoother_quality), 0.0, 1.0);
   if (bad > 0) {
     fem::Field other = displacement;
     if (nonlinear_->extend(other, start_).converged) {

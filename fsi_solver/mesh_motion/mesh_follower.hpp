@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/base/timers.hpp"
 #include "fsi_solver/mesh_motion/mesh_motion.hpp"
@@ -25,6 +26,8 @@ class MeshFollower {
   /// the non-linear smoother's factors dropped, results depend on this and on the solids to the last bit.
   void begin_step(const fem::Field& displacement);
   void drop_factors();
+  /// To be called when cells have become solid or fluid. Collective.
+  void rebuild();
 
   /// displacement  of the vertices: where solids are given (owned ones suffice), elsewhere found; ghosts current on
   /// exit. If the non-linear smoother fails, the linear one's result stays. Collective.
@@ -33,8 +36,9 @@ class MeshFollower {
  private:
   const Continuum& continuum_;
   base::Timers& timers_;
-  double quality_;  ///< below which the non-linear smoother has a part
-  MeshMotion linear_;
+  const Conditions& conditions_;
+  const FlowSettings& settings_;
+  std::optional<MeshMotion> linear_;
   std::unique_ptr<NonlinearSmoother> nonlinear_;  ///< null with the linear one alone
   fem::Field start_;
 };

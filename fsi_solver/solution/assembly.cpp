@@ -158,15 +158,15 @@ void Assembly::sum_cells(ResidualSums& sums) {
     }
     scatter(out.values, E::nodes, D, batches.velocity_dofs_of(batch), count, momentum_);
     scatter(out.values + E::pressure(0), E::corners, 1, batches.pressure_dofs_of(batch), count, mass_);
-    const int label = 1 + solid;
+    const int label = 1 + solid, pressure_label = continuum_.pressure_label(solid);
     const Lanes active = active_lanes(count);
     sums.add_terms(
         ResidualSums::momentum, label,
         squares_of(out.values, E::nodes * D, active) + E::corners * squares_of(&out.momentum_size, 1, active));
-    sums.add_terms(ResidualSums::mass, label, E::corners * squares_of(&out.mass_size, 1, active));
+    sums.add_terms(ResidualSums::mass, pressure_label, E::corners * squares_of(&out.mass_size, 1, active));
     if constexpr (E::is_stabilised) {
       scatter(out.values + E::gradient(0, 0), E::corners, D, batches.pressure_dofs_of(batch), count, slope_);
-      sums.add_terms(ResidualSums::projection, label, E::corners * squares_of(&out.gradient_size, 1, active));
+      sums.add_terms(ResidualSums::projection, pressure_label, E::corners * squares_of(&out.gradient_size, 1, active));
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "fsi_solver/solution/stage_fields.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vocalis::fsi {
 
@@ -31,6 +32,7 @@ StageFields::StageFields(const Continuum& continuum, const FlowSettings& setting
 void StageFields::begin_step(const State& state, const Stage& stage, Vec unknowns) {
   state_ = &state;
   stage_ = stage;
+  offset_left_ = settings_.mesh_recovery > 0 ? std::exp(-stage.dt / settings_.mesh_recovery) : 0;
   velocity_ = state.velocity;
   const double ratio = state.last_dt > 0 ? stage.dt / state.last_dt : 0;
   for (std::size_t i = 0; i < velocity_.values.size(); ++i) {
@@ -136,6 +138,9 @@ void StageFields::move_fluid_mesh() {
       std::copy_n(displacement_.at(continuum_.vertex_to_dof[v]), d, mesh_displacement_.at(v));
     }
     motion_->extend(mesh_displacement_);
+    for (std::size_t i = 0; i < state_->mesh_offset.size(); ++i) {
+      mesh_displacement_.values[i] += offset_left_ * state_->mesh_offset[i];
+    }
   }
   for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
     if (continuum_.dof_solid[dof] >= 0) continue;
@@ -181,6 +186,21 @@ void StageFields::find_forces() {
   }
 }
 
+/// A contact cell's reference is where it closed: the moved place stays what it is.
+template <int D, int Degree>
+void StageFields::refer_to_closing(const CellBatches::Batch& batch, CellInput<D, Degree>& in) const {
+  constexpr int nodes = CellInput<D, Degree>::nodes;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    const double* closing = continuum_.closing_points.data() + static_cast<std::size_t>(batch.cell[lane]) * nodes * D;
+    for (int a = 0; a < nodes; ++a) {
+      for (int k = 0; k < D; ++k) {
+        in.displacement[a][k][lane] += in.position[a][k][lane] - closing[a * D + k];
+        in.position[a][k][lane] = closing[a * D + k];
+      }
+    }
+  }
+}
+
 template <int D, int Degree>
 void StageFields::gather(const CellBatches& batches, std::size_t batch, CellInput<D, Degree>& in) const {
   const std::int32_t solid = batches.batches[batch].solid;
@@ -202,6 +222,7 @@ void StageFields::gather(const CellBatches& batches, std::size_t batch, CellInpu
       }
     }
   }
+  if (!is_fluid && solid == continuum_.contact) refer_to_closing(batches.batches[batch], in);
   const std::int32_t* pressures = batches.pressure_dofs_of(batch);
   for (int b = 0; b <= D; ++b) {
     for (int lane = 0; lane < lane_count; ++lane) {

@@ -52,6 +52,8 @@ class StageFields {
   void move_solids();
   void move_fluid_mesh();
   void set_stage_geometry();
+  template <int D, int Degree>
+  void refer_to_closing(const CellBatches::Batch& batch, CellInput<D, Degree>& in) const;
 
   const Continuum& continuum_;
   const FlowSettings& settings_;
@@ -59,6 +61,7 @@ class StageFields {
   const Prescribed& prescribed_;
   MeshFollower* motion_;
   bool moves_, has_forces_;
+  double offset_left_ = 0;  ///< of the mesh's offset after the step
 
   la::SystemLayout layout_;
   const State* state_ = nullptr;
