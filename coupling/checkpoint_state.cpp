@@ -29,6 +29,18 @@ void for_each_flow_array(State& state, const Function& function) {
   function("flow.displacement_before", state.displacement_before.values);
   function("flow.acceleration", state.acceleration.values);
   function("flow.pressure", state.pressure.values);
+  function("flow.closing_points", state.closing_points);
+  function("flow.mesh_offset", state.mesh_offset);
+  function("flow.in_contact", state.in_contact);
+}
+
+/// Which cells are to be in contact in the next step, and what is remembered of them.
+template <class State, class Function>
+void for_each_contact_array(State& state, const Function& function) {
+  function("contact.closing_gap", state.closing_gap);
+  function("contact.opening_gap", state.opening_gap);
+  function("contact.normal", state.normal);
+  function("contact.in_contact", state.in_contact);
 }
 
 template <class State, class Function>
@@ -67,8 +79,9 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
                      const CheckpointFacts& facts) {
   const MPI_Comm comm = scene.parent.comm;
   io::CheckpointWriter writer(comm, path);
-  const auto add = [&writer](const std::string& name, const std::vector<double>& values) {
-    writer.add(name, std::span<const double>(values));
+  const auto add = [&writer](const std::string& name, const auto& values) {
+    const std::vector<double> numbers(values.begin(), values.end());
+    writer.add(name, std::span<const double>(numbers));
   };
   writer.add_text("case", config.name);
   const std::vector<std::int64_t> mesh = {fingerprint(scene.parent)};
@@ -84,6 +97,12 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     for_each_flow_array(state, add);
     const EnergyBalance& balance = simulation.monitors()->balance();
     add("monitors.balance", on_rank_0(comm, {balance.time, balance.power, balance.work}));
+  }
+  if (const ContactFollower* contact = simulation.contact()) {
+    for_each_contact_array(contact->state(), add);
+    const ContactReport& report = contact->report();
+    add("contact.report", on_rank_0(comm, {report.searches, report.closings, report.closed_steps, report.repeated_steps,
+                                           report.energy_lost, report.most_closed}));
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const acoustic::State& state = simulation.voices()[i]->solver().state();
@@ -114,14 +133,14 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     base::broadcast(comm, values);
     return values;
   };
-  const auto read = [&](const std::string& name, std::vector<double>& values) {
-    std::vector<double> stored = reader.doubles(name);
+  const auto read = [&](const std::string& name, auto& values) {
+    const std::vector<double> stored = reader.doubles(name);
     const bool fits = stored.size() == values.size();
     if (base::smallest(comm, static_cast<std::int32_t>(fits)) == 0) {
       throw base::UserError("the checkpoint must fit the case: " + path, name + " has another size",
                             "the case has changed since: run it again");
     }
-    values = std::move(stored);
+    values.assign(stored.begin(), stored.end());
   };
   const std::vector<double> times = numbers("clock");
   if (times.size() != 9) {
@@ -148,6 +167,12 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     simulation.flow()->set_state(state);
     const std::vector<double> balance = numbers("monitors.balance");
     simulation.monitors()->set_balance({balance[0], balance[1], balance[2]});
+  }
+  if (ContactFollower* contact = simulation.contact()) {
+    contact::ContactState state = contact->state();
+    for_each_contact_array(state, read);
+    const std::vector<double> report = numbers("contact.report");
+    contact->set_state(state, {report[0], report[1], report[2], report[3], report[4], report[5]});
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     acoustic::State state = simulation.voices()[i]->solver().state();

@@ -65,6 +65,12 @@ std::vector<base::Timers::Phase> flow_phases(std::vector<base::Timers::Phase> ph
   return phases;
 }
 
+std::map<std::string, double> figures_of(const ContactReport& report) {
+  return {{"searches", report.searches},         {"closings", report.closings},
+          {"closed_steps", report.closed_steps}, {"repeated_steps", report.repeated_steps},
+          {"energy_lost_J", report.energy_lost}, {"most_closed_cells", report.most_closed}};
+}
+
 /// One run from its present state to the end of the case or of its budget of steps.
 class Run {
  public:
@@ -129,6 +135,7 @@ class Run {
       const auto phases = flow_phases(flow->timers().largest_over_ranks(comm_));
       facts_.phases.insert(facts_.phases.begin(), phases.begin(), phases.end());
     }
+    if (const ContactFollower* contact = simulation_->contact()) facts_.contact = figures_of(contact->report());
     facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());
     base::on_first_rank(comm_, [&] {
       const Figures figures = evaluate_run(config_, folder_);

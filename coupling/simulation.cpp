@@ -12,6 +12,7 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
   clock_.smallest_step = config.time.smallest_step > 0 ? config.time.smallest_step : config.time.step / 64;
   if (config.flow) {
     flow_ = std::make_unique<fsi::FsiSolver>(scene.flow->mesh, *config.flow, config.time);
+    if (config.contact) contact_ = std::make_unique<ContactFollower>(*flow_, *config.contact);
     history_ = std::make_unique<FlowHistory>(scene, *flow_);
     monitors_ = std::make_unique<Monitors>(*flow_, config.monitors);
     if (config.statistics) check_statistics(*config.statistics, monitors_->columns());
@@ -32,28 +33,49 @@ StepOutcome Simulation::step() {
 
 StepOutcome Simulation::step_flow() {
   StepOutcome outcome;
+  if (contact_) {
+    const auto scope = timers_.scope("contact");
+    contact_->begin_step();
+  }
   history_->begin_step();
-  for (;;) {
-    outcome.dt = clock_.dt();
-    const auto report = flow_->try_step(outcome.dt);
-    outcome.newton_iterations += report.newton_iterations;
-    outcome.jacobians += report.jacobians;
-    outcome.local_error = report.local_error;
-    outcome.smallest_quality = report.smallest_quality;
-    if (report.converged && !clock_.is_too_coarse(report.local_error)) break;
-    if (report.converged) {
-      clock_.refine(report.local_error);
-      continue;
-    }
-    if (!clock_.can_shrink()) {
-      outcome.failure = "the flow's step did not converge with the smallest dt: " + report.reason;
-      return outcome;
-    }
-    clock_.shrink();
+  while (!try_flow_step(outcome)) {
+    if (!outcome.failure.empty()) return outcome;
   }
   flow_->accept();
+  if (contact_) contact_->accept();
   monitors_->follow_step();
   return outcome;
+}
+
+/// Whether the step may be accepted; if not, dt has become smaller, or the failure is told.
+bool Simulation::try_flow_step(StepOutcome& outcome) {
+  outcome.dt = clock_.dt();
+  const auto report = flow_->try_step(outcome.dt);
+  outcome.newton_iterations += report.newton_iterations;
+  outcome.jacobians += report.jacobians;
+  outcome.local_error = report.local_error;
+  outcome.smallest_quality = report.smallest_quality;
+  if (!report.converged) {
+    if (clock_.can_shrink()) {
+      clock_.shrink();
+    } else {
+      outcome.failure = "the flow's step did not converge with the smallest dt: " + report.reason;
+    }
+    return false;
+  }
+  if (clock_.is_too_coarse(report.local_error)) {
+    clock_.refine(report.local_error);
+    return false;
+  }
+  if (!contact_) return true;
+  const auto scope = timers_.scope("contact");
+  const auto verdict = contact_->judge_step();
+  outcome.failure = verdict.failure;
+  if (!verdict.failure.empty()) return false;
+  if (!verdict.is_too_deep || !clock_.can_shrink()) return true;
+  contact_->count_repeated_step();
+  clock_.shrink();
+  return false;
 }
 
 void Simulation::step_voices(double dt, StepOutcome& outcome) {
@@ -78,6 +100,7 @@ std::vector<double> Simulation::monitor_values() const {
 
 void Simulation::drop_caches() {
   if (flow_) flow_->drop_caches();
+  if (contact_) contact_->drop_caches();
   for (auto& voice : voices_) voice->drop_caches();
 }
 

@@ -8,6 +8,7 @@
 #include "acoustic_solver/pulse.hpp"
 #include "core/base/timers.hpp"
 #include "coupling/clock.hpp"
+#include "coupling/contact_follower.hpp"
 #include "coupling/flow_history.hpp"
 #include "coupling/monitors/monitors.hpp"
 #include "coupling/scene.hpp"
@@ -43,6 +44,8 @@ class Simulation {
   std::vector<double> monitor_values() const;
   const fsi::FsiSolver* flow() const { return flow_.get(); }
   fsi::FsiSolver* flow() { return flow_.get(); }
+  const ContactFollower* contact() const { return contact_.get(); }
+  ContactFollower* contact() { return contact_.get(); }
   std::vector<std::unique_ptr<Voice>>& voices() { return voices_; }
   const std::optional<acoustic::PulseFlux>& source() const { return source_; }
 
@@ -54,12 +57,14 @@ class Simulation {
 
  private:
   StepOutcome step_flow();
+  bool try_flow_step(StepOutcome& outcome);
   void step_voices(double dt, StepOutcome& outcome);
 
   Scene& scene_;
   base::Timers& timers_;
   Clock clock_;
   std::unique_ptr<fsi::FsiSolver> flow_;
+  std::unique_ptr<ContactFollower> contact_;  ///< null where walls cannot touch
   std::unique_ptr<FlowHistory> history_;
   std::unique_ptr<Monitors> monitors_;
   std::optional<acoustic::PulseFlux> source_;

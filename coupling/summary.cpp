@@ -55,6 +55,7 @@ void write_summary(const std::string& path, const Case& config, const RunFacts& 
                         {"cells", facts.cells},
                         {"unknowns", facts.unknowns},
                         {"phases", phases},
+                        {"contact", facts.contact},
                         {"peak_memory_bytes", facts.peak_memory_bytes},
                         {"vibration", figures.vibration},
                         {"results", results},

@@ -24,7 +24,8 @@ struct RunFacts {
   double wall_seconds = 0;                              ///< of all parts of a run that was resumed
   std::map<std::string, std::int64_t> cells, unknowns;  ///< by mesh: parent, flow, acoustic
   std::vector<base::Timers::Phase> phases;
-  double peak_memory_bytes = 0;  ///< sum over the ranks
+  std::map<std::string, double> contact;  ///< what it did; empty where walls cannot touch
+  double peak_memory_bytes = 0;           ///< sum over the ranks
 };
 
 /// Writes summary.json; what the case expects is set beside what was found. One rank, not collective. Throws

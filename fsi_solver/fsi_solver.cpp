@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/mesh/facets.hpp"
+#include "fsi_solver/capture.hpp"
 #include "fsi_solver/solution/local_error.hpp"
 #include "fsi_solver/solution/newton.hpp"
 
@@ -26,6 +27,11 @@ struct FsiSolver::Inside {
     state.velocity = state.velocity_before = state.displacement = state.displacement_before = state.acceleration =
         fem::Field(continuum.velocity_space, mesh.dimension);
     state.pressure = fem::Field(continuum.pressure_space, 1);
+    if (continuum.contact >= 0) {
+      state.in_contact.assign(mesh.num_cells(), 0);
+      state.closing_points = continuum.closing_points;
+      state.mesh_offset.assign(mesh.coordinates.size(), 0.0);
+    }
   }
 
   FlowSettings settings;
@@ -112,9 +118,10 @@ void FsiSolver::accept() {
   in.state.last_dt = std::exchange(in.tried_dt, 0);
 }
 
-void FsiSolver::set_contact(std::span<const char> in_contact) {
+double FsiSolver::set_contact(std::span<const char> in_contact) {
   Inside& in = *inside_;
   assert(in.continuum.contact >= 0 && in.motion);
+  const std::vector<std::int32_t> solid_before = in.continuum.dof_solid;
   vocalis::fsi::set_contact(in.continuum, in_contact, moved_points(in.continuum, in.state.displacement));
   in.motion->rebuild();
   in.newton->drop_jacobian();
@@ -126,6 +133,7 @@ void FsiSolver::set_contact(std::span<const char> in_contact) {
   in.motion->extend(smooth);
   in.state.mesh_offset.resize(here.size());
   for (std::size_t i = 0; i < here.size(); ++i) in.state.mesh_offset[i] = here[i] - smooth.values[i];
+  return capture(in.continuum, solid_before, in.settings.density, in.state);
 }
 
 const State& FsiSolver::state() const { return inside_->state; }
@@ -139,7 +147,7 @@ void FsiSolver::set_state(const State& state) {
   }
   inside_->state.pressure.space = &inside_->continuum.pressure_space;
   inside_->tried_dt = 0;
-  if (!state.in_contact.empty()) {
+  if (inside_->continuum.contact >= 0) {
     vocalis::fsi::set_contact(inside_->continuum, state.in_contact,
                               moved_points(inside_->continuum, state.displacement));
     inside_->continuum.closing_points = state.closing_points;
@@ -168,6 +176,10 @@ std::int64_t FsiSolver::num_unknowns() const {
 
 std::vector<double> FsiSolver::current_coordinates() const {
   return moved_coordinates(inside_->continuum, inside_->state.displacement);
+}
+
+std::vector<double> FsiSolver::tried_coordinates() const {
+  return moved_coordinates(inside_->continuum, inside_->assembly->fields().end_displacement());
 }
 
 fem::Field FsiSolver::velocity_at_vertices() const { return at_vertices(inside_->continuum, inside_->state.velocity); }

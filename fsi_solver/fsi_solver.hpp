@@ -47,8 +47,8 @@ class FsiSolver {
 
   /// Makes these owned fluid cells contact cells, from the accepted state on, and lets go of all others. Needs
   /// FlowSettings::contact. The mesh stays where it is: where it is no longer held it comes back within
-  /// `mesh_recovery`. Collective.
-  void set_contact(std::span<const char> in_contact);
+  /// `mesh_recovery`. Returns the kinetic energy that the air in them loses, see `capture`. Collective.
+  double set_contact(std::span<const char> in_contact);
 
   const State& state() const;
   double time() const { return state().time; }
@@ -71,6 +71,8 @@ class FsiSolver {
 
   /// Where the vertices are, (vertices, dimension) [m]; ghosts current.
   std::vector<double> current_coordinates() const;
+  /// Where the last step, which must have converged, takes them.
+  std::vector<double> tried_coordinates() const;
   /// Parts of the state at the vertices, on a space of degree 1 whose dofs they are; ghosts current.
   fem::Field velocity_at_vertices() const;
   fem::Field displacement_at_vertices() const;

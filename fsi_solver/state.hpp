@@ -17,10 +17,10 @@ struct State {
   fem::Field displacement_before;
   fem::Field pressure;                 ///< [Pa] at `time` with BDF2, at the stage t - (1 - θ) dt with θ
   fem::Field acceleration;             ///< rate of the velocity at the last stage [m/s^2]; predicts
-  std::vector<char> in_contact;        ///< (owned cells) contact cells; empty: none
+  std::vector<char> in_contact;        ///< (owned cells) contact cells; empty where walls cannot touch
   std::vector<double> closing_points;  ///< of them, see Continuum::closing_points
   std::vector<double> mesh_offset;     ///< (vertices, dimension) [m] of the fluid's mesh from where the smoother has
-                                       ///< it, since cells opened; ghosts current; empty: none
+                                       ///< it, since cells opened; ghosts current; empty likewise
   std::array<double, 2> largest_speeds = {0, 0};  ///< so far, of fluid and solids, see `speeds` [m/s]
   double time = 0;                                ///< [s]
   double last_dt = 0;                             ///< [s]; 0: no step yet

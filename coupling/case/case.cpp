@@ -115,6 +115,7 @@ Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::st
   read_regions(root, config);
   read_flow(root, config);
   read_time(root, config);
+  read_contact(root, config);
   read_acoustics(root, config);
   read_source(comm, root, config);
   read_microphones(root, config);

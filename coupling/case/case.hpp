@@ -10,6 +10,7 @@
 
 #include "acoustic_solver/pulse.hpp"
 #include "acoustic_solver/settings.hpp"
+#include "contact/contact_search.hpp"
 #include "core/io/geo_parameters.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/statistics.hpp"
@@ -68,7 +69,8 @@ struct Case {
   MeshSettings mesh;
   std::vector<Region> regions;
   std::optional<fsi::FlowSettings> flow;
-  fsi::TimeSettings time;  ///< without a flow only `end` and `step` have a meaning
+  std::optional<contact::ContactSettings> contact;  ///< none: walls cannot touch
+  fsi::TimeSettings time;                           ///< without a flow only `end` and `step` have a meaning
   std::vector<acoustic::AcousticSettings> acoustics;
   std::optional<SourceSettings> source;
   std::vector<acoustic::MicrophoneSettings> microphones;

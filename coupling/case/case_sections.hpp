@@ -14,6 +14,7 @@ namespace vocalis::coupling {
 void read_regions(base::Table& root, Case& config);
 void read_flow(base::Table& root, Case& config);
 void read_time(base::Table& root, Case& config);
+void read_contact(base::Table& root, Case& config);  ///< after regions, flow and time
 void read_acoustics(base::Table& root, Case& config);
 void read_source(MPI_Comm comm, base::Table& root, Case& config);  ///< collective
 void read_microphones(base::Table& root, Case& config);

@@ -1,0 +1,216 @@
+#include "contact/contact_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/base/mpi.hpp"
+#include "core/mesh/facets.hpp"
+#include "core/mesh/geometry.hpp"
+
+namespace vocalis::contact {
+
+namespace {
+
+constexpr double closes_again = 0.9;    ///< of the gap at which a cell opened
+constexpr double share_of_rest = 0.5;   ///< no cell closes that is wider than this share of its gap at rest
+constexpr double safe_clearance = 0.5;  ///< share of the clearance that walls may have used up unmeasured
+
+fem::Space space_on_fluid(const mesh::Mesh& mesh, std::span<const char> cell_is_fluid) {
+  std::vector<std::int32_t> label(mesh.num_cells());
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) label[cell] = cell_is_fluid[cell] ? 0 : -1;
+  return fem::lagrange(mesh, 1, label);
+}
+
+std::vector<double> lengths(const mesh::Mesh& mesh, std::span<const char> cell_is_fluid) {
+  std::vector<double> result(mesh.num_cells(), 0.0);
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    if (!cell_is_fluid[cell]) continue;
+    const double measure = mesh::signed_volume(mesh, mesh.vertices_of(cell));
+    result[cell] = mesh.dimension == 2 ? std::sqrt(2 * measure) : std::cbrt(6 * measure);
+  }
+  return result;
+}
+
+std::vector<std::int32_t> points_of(const mesh::Mesh& mesh, const std::vector<mesh::NamedFacet>& facets) {
+  std::vector<std::int32_t> points;
+  for (const mesh::NamedFacet& facet : facets) {
+    const auto corners = mesh::facet_vertices(mesh, facet.cell, facet.index);
+    points.insert(points.end(), corners.begin(), corners.begin() + mesh.dimension);
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+std::array<double, 3> middle(const mesh::Mesh& mesh, std::int32_t cell, std::span<const double> coordinates) {
+  std::array<double, 3> result = {0, 0, 0};
+  for (const std::int32_t v : mesh.vertices_of(cell)) {
+    for (int k = 0; k < mesh.dimension; ++k) {
+      result[k] += coordinates[static_cast<std::size_t>(v) * mesh.dimension + k] / (mesh.dimension + 1);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const mesh::Mesh& mesh, std::span<const char> cell_is_fluid,
+                             std::vector<mesh::NamedFacet> walls, std::vector<SymmetryPlane> planes,
+                             const ContactSettings& settings)
+    : mesh_(&mesh),
+      settings_(settings),
+      walls_(std::move(walls)),
+      planes_(std::move(planes)),
+      space_(space_on_fluid(mesh, cell_is_fluid)),
+      length_(lengths(mesh, cell_is_fluid)),
+      wall_points_(points_of(mesh, walls_)) {
+  if (settings.distance == DistanceMethod::eikonal) eikonal_.emplace(space_);
+  double longest = 0;
+  for (const double length : length_) longest = std::max(longest, length);
+  const double widest = 2 * settings.alpha * base::largest(mesh.comm, longest);
+  bound_ = widest / share_of_rest;
+  closes_below_.assign(length_.size(), 0.0);
+  std::string reason;
+  const auto rest = measure(mesh.coordinates, reason);
+  for (std::size_t cell = 0; cell < length_.size(); ++cell) {
+    const double at_rest = rest ? rest->gap[cell] : std::numeric_limits<double>::infinity();
+    closes_below_[cell] = std::min(2 * settings.alpha * length_[cell], share_of_rest * at_rest);
+  }
+}
+
+ContactState ContactSearch::open_state() const {
+  ContactState state;
+  state.in_contact.assign(length_.size(), 0);
+  state.closing_gap.assign(length_.size(), 0.0);
+  state.opening_gap.assign(length_.size(), 0.0);
+  state.normal.assign(length_.size() * mesh_->dimension, 0.0);
+  return state;
+}
+
+bool ContactSearch::is_due(std::span<const double> coordinates) const {
+  if (measured_.empty()) return true;
+  const int d = mesh_->dimension;
+  double farthest = 0;  // squared
+  for (const std::int32_t v : wall_points_) {
+    double square = 0;
+    for (std::size_t i = static_cast<std::size_t>(v) * d; i < static_cast<std::size_t>(v + 1) * d; ++i) {
+      square += (coordinates[i] - measured_[i]) * (coordinates[i] - measured_[i]);
+    }
+    farthest = std::max(farthest, square);
+  }
+  return 2 * std::sqrt(base::largest(mesh_->comm, farthest)) >= safe_clearance * clearance_;
+}
+
+void ContactSearch::forget() {
+  guess_.clear();
+  measured_.clear();
+}
+
+std::optional<AxisGap> ContactSearch::measure(std::span<const double> coordinates, std::string& reason) {
+  if (!eikonal_) {
+    return axis_gap(direct_distance(space_, walls_, coordinates, planes_, bound_), coordinates, settings_.gamma);
+  }
+  EikonalReport report;
+  const WallDistance walls =
+      eikonal_distance(*eikonal_, space_, walls_, coordinates, EikonalSettings{}, guess_, report);
+  if (!report.converged) {
+    reason = "the distance from walls: " + report.reason;
+    return std::nullopt;
+  }
+  guess_ = walls.distance.values;
+  return axis_gap(walls, coordinates, settings_.gamma);
+}
+
+ContactProposal ContactSearch::propose(std::span<const double> coordinates, const ContactState& state,
+                                       const ContactLoad& load) {
+  ContactProposal proposal;
+  proposal.state = state;
+  const auto gaps = measure(coordinates, proposal.reason);
+  if (!gaps) return proposal;
+  open_and_close(*gaps, load, proposal);
+  double clearance = bound_;
+  for (std::size_t cell = 0; cell < gaps->gap.size(); ++cell) {
+    clearance = std::min(clearance, gaps->gap[cell] - closes_below_[cell]);
+    if (state.closing_gap[cell] > 0 || state.opening_gap[cell] > 0) clearance = 0;
+  }
+  const MPI_Comm comm = mesh_->comm;
+  clearance_ = std::max(0.0, base::smallest(comm, clearance));
+  measured_.assign(coordinates.begin(), coordinates.end());
+  proposal.closing = base::sum(comm, proposal.closing);
+  proposal.opening = base::sum(comm, proposal.opening);
+  proposal.closed = base::sum(comm, proposal.closed);
+  proposal.depth = base::smallest(comm, proposal.depth);
+  spread(coordinates, state, proposal);
+  return proposal;
+}
+
+/// The cells of the axis, on this rank.
+void ContactSearch::open_and_close(const AxisGap& gaps, const ContactLoad& load, ContactProposal& proposal) const {
+  const int d = mesh_->dimension;
+  ContactState& state = proposal.state;
+  const double apart = 1 + settings_.release_gap;
+  for (std::size_t cell = 0; cell < gaps.gap.size(); ++cell) {
+    const double gap = gaps.gap[cell];
+    if (state.closing_gap[cell] > 0) {
+      const bool is_wide = std::isfinite(gap) && gap > apart * state.closing_gap[cell];
+      const bool is_pulled = load.normal_stress[cell] > 0 && load.opening_rate[cell] > 0;
+      if (is_wide || is_pulled) {
+        state.opening_gap[cell] = std::isfinite(gap) ? gap : state.closing_gap[cell];
+        state.closing_gap[cell] = 0;
+        ++proposal.opening;
+      }
+    } else {
+      double below = closes_below_[cell];
+      if (gap > apart * below) state.opening_gap[cell] = 0;
+      if (state.opening_gap[cell] > 0) below = std::min(below, closes_again * state.opening_gap[cell]);
+      if (gap < below) {
+        state.closing_gap[cell] = gap;
+        state.opening_gap[cell] = 0;
+        std::copy_n(gaps.normal.begin() + static_cast<std::ptrdiff_t>(cell) * d, d,
+                    state.normal.begin() + static_cast<std::ptrdiff_t>(cell) * d);
+        proposal.depth = std::min(proposal.depth, gap / below);
+        ++proposal.closing;
+      }
+    }
+    proposal.closed += state.closing_gap[cell] > 0;
+  }
+}
+
+/// All cells near closed ones; those that are in contact already stay a little longer.
+void ContactSearch::spread(std::span<const double> coordinates, const ContactState& before,
+                           ContactProposal& proposal) const {
+  const int d = mesh_->dimension;
+  ContactState& state = proposal.state;
+  std::vector<double> mine;  // middle and normal of each closed cell
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    if (state.closing_gap[cell] == 0) continue;
+    const auto place = middle(*mesh_, cell, coordinates);
+    mine.insert(mine.end(), place.begin(), place.begin() + d);
+    mine.insert(mine.end(), state.normal.begin() + static_cast<std::ptrdiff_t>(cell) * d,
+                state.normal.begin() + static_cast<std::ptrdiff_t>(cell + 1) * d);
+  }
+  const std::vector<double> closed = base::concatenate_all(mesh_->comm, mine);
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    if (length_[cell] == 0) continue;
+    const auto place = middle(*mesh_, cell, coordinates);
+    double nearest = std::numeric_limits<double>::infinity();  // squared
+    std::size_t of = 0;
+    for (std::size_t i = 0; i < closed.size(); i += 2 * d) {
+      double square = 0;
+      for (int k = 0; k < d; ++k) square += (closed[i + k] - place[k]) * (closed[i + k] - place[k]);
+      if (square < nearest) {
+        nearest = square;
+        of = i;
+      }
+    }
+    const double reach = settings_.beta * length_[cell] * (before.in_contact[cell] ? 1 + settings_.release_gap : 1);
+    state.in_contact[cell] = nearest <= reach * reach;
+    if (!state.in_contact[cell] || before.in_contact[cell]) continue;
+    std::copy_n(closed.begin() + static_cast<std::ptrdiff_t>(of) + d, d,
+                state.normal.begin() + static_cast<std::ptrdiff_t>(cell) * d);
+  }
+}
+
+}  // namespace vocalis::contact

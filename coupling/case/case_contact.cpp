@@ -1,0 +1,42 @@
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "coupling/case/case_sections.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+/// The solid that yields first: what lies between walls that touch should not be stiffer than they are by default.
+const fsi::SolidMaterial& softest(const std::vector<fsi::SolidMaterial>& solids) {
+  return *std::min_element(solids.begin(), solids.end(),
+                           [](const auto& a, const auto& b) { return a.young_modulus < b.young_modulus; });
+}
+
+}  // namespace
+
+void read_contact(base::Table& root, Case& config) {
+  auto table = root.table_if("contact");
+  if (!table) return;
+  const auto is_fluid = [](const Region& region) { return region.kind == RegionKind::fluid; };
+  const bool has_fluid = std::any_of(config.regions.begin(), config.regions.end(), is_fluid);
+  if (!config.flow || !has_fluid || config.flow->solids.empty()) {
+    throw base::UserError(table->place() + " needs a flow with a region of fluid and one of solid", "one is missing",
+                          "leave [contact] out: nothing can touch");
+  }
+  contact::ContactSettings& settings = config.contact.emplace();
+  settings.alpha = table->number_or("alpha", settings.alpha, base::positive);
+  settings.beta = table->number_or("beta", settings.beta, base::positive);
+  settings.gamma = table->number_or("gamma", settings.gamma, base::inside(0, 1));
+  settings.release_gap = table->number_or("release_gap", settings.release_gap, base::not_negative);
+  settings.distance = table->choice_or<contact::DistanceMethod>(
+      "distance", settings.distance,
+      {{"direct", contact::DistanceMethod::direct}, {"eikonal", contact::DistanceMethod::eikonal}});
+  fsi::ContactMedium& medium = config.flow->contact.emplace();
+  const fsi::SolidMaterial& solid = softest(config.flow->solids);
+  medium.young_modulus = table->number_or("young_modulus", solid.young_modulus, base::positive, "Pa");
+  medium.damping = table->number_or("damping", solid.damping, base::not_negative, "Pa s");
+  config.flow->mesh_recovery = table->number_or("mesh_recovery", 10 * config.time.step, base::not_negative, "s");
+}
+
+}  // namespace vocalis::coupling

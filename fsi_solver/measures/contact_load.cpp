@@ -1,0 +1,89 @@
+#include "fsi_solver/measures/contact_load.hpp"
+
+#include "fsi_solver/solution/assembly.hpp"
+
+namespace vocalis::fsi {
+
+namespace {
+
+template <int D>
+std::array<Lanes, D> times(const Matrix<D, Lanes>& a, const std::array<Lanes, D>& x) {
+  std::array<Lanes, D> result{};
+  for (int i = 0; i < D; ++i) {
+    for (int j = 0; j < D; ++j) result[i] += a[i][j] * x[j];
+  }
+  return result;
+}
+
+template <int D>
+Lanes dot(const std::array<Lanes, D>& a, const std::array<Lanes, D>& b) {
+  Lanes sum{};
+  for (int i = 0; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+struct BatchLoad {
+  Lanes normal_stress{}, opening_rate{};
+};
+
+/// With m = J F⁻ᵀN: J n·σ·n = m·P Fᵀm / |m|², and Fᵀm = J N.
+template <int D, int Degree>
+BatchLoad batch_load(const CellInput<D, Degree>& in, const Elasticity& medium, const std::array<Lanes, D>& normal) {
+  using E = Element<D, Degree>;
+  BatchLoad sum;
+  Lanes measure{};
+  for (const typename E::Point& point : E::points()) {
+    const auto geometry = geometry_at<D, Degree>(point, in.position);
+    const Lanes weight = point.weight * geometry.determinant;
+    Matrix<D, Lanes> f = gradient_of<D, E::nodes>(in.displacement, geometry.gradient);
+    for (int i = 0; i < D; ++i) f[i][i] += 1.0;
+    const Matrix<D, Lanes> rate = gradient_of<D, E::nodes>(in.velocity, geometry.gradient);
+    Lanes pressure{};
+    for (int b = 0; b <= D; ++b) pressure += in.pressure[b] * point.corner[b];
+    const Matrix<D, Lanes> cof = cofactor<D>(f);
+    const std::array<Lanes, D> m = times<D>(cof, normal);
+    const Lanes square = dot<D>(m, m), j = determinant<D>(f);
+    sum.normal_stress += weight * dot<D>(m, times<D>(stress<D>(medium, f, rate, pressure), normal)) / square;
+    // n·Ḟ F⁻¹ n, F⁻¹ = cofᵀ / J
+    sum.opening_rate += weight * dot<D>(m, times<D>(rate, times<D>(transposed<D>(cof), m))) / (square * j);
+    measure += weight;
+  }
+  sum.normal_stress = sum.normal_stress / measure;
+  sum.opening_rate = sum.opening_rate / measure;
+  return sum;
+}
+
+template <int D, int Degree>
+void fill(const FsiSolver& solver, std::span<const double> normal, ContactLoad& load) {
+  const Continuum& continuum = solver.continuum();
+  CellInput<D, Degree> in{};
+  for (std::size_t batch = 0; batch < continuum.batches.batches.size(); ++batch) {
+    const auto& [solid, active, cells] = continuum.batches.batches[batch];
+    if (solid < 0 || solid != continuum.contact) continue;
+    solver.assembly().fields().gather(continuum.batches, batch, in);
+    std::array<Lanes, D> normals{};
+    for (int lane = 0; lane < lane_count; ++lane) {
+      for (int k = 0; k < D; ++k) normals[k][lane] = normal[static_cast<std::size_t>(cells[lane]) * D + k];
+    }
+    const BatchLoad found = batch_load<D, Degree>(in, continuum.elasticity[solid], normals);
+    for (int lane = 0; lane < active; ++lane) {
+      load.normal_stress[cells[lane]] = found.normal_stress[lane];
+      load.opening_rate[cells[lane]] = found.opening_rate[lane];
+    }
+  }
+}
+
+}  // namespace
+
+ContactLoad contact_load(const FsiSolver& solver, std::span<const double> normal) {
+  const Continuum& continuum = solver.continuum();
+  ContactLoad load;
+  load.normal_stress.assign(continuum.mesh->num_cells(), 0.0);
+  load.opening_rate.assign(continuum.mesh->num_cells(), 0.0);
+  if (!continuum.batches.batches.empty() && continuum.contact >= 0) {
+    with_element(continuum.velocity_space, [&]<int D, int Degree>() { fill<D, Degree>(solver, normal, load); });
+  }
+  return load;
+}
+
+}  // namespace vocalis::fsi
