@@ -14,12 +14,15 @@ std::vector<char> medial_axis(const WallDistance& walls, double gamma) {
     }
     return square <= gamma * gamma;
   };
+  const auto is_near = [&](std::int32_t dof) { return walls.distance.values[dof] < walls.bound; };
   std::vector<char> on_axis(space.mesh->num_cells(), 0);
   for (std::int32_t cell = 0; cell < space.mesh->num_cells(); ++cell) {
     const auto dofs = space.dofs_of(cell);
     if (dofs[0] < 0) continue;
     for (int i = 0; i <= d; ++i) {
-      for (int j = 0; j <= i; ++j) on_axis[cell] |= static_cast<char>(mean_is_short(dofs[i], dofs[j]));
+      for (int j = 0; j <= i; ++j) {
+        on_axis[cell] |= static_cast<char>(is_near(dofs[i]) && is_near(dofs[j]) && mean_is_short(dofs[i], dofs[j]));
+      }
     }
   }
   return on_axis;

@@ -12,17 +12,24 @@ constexpr std::int32_t kLeafFacets = 4;
 
 double dot(const double* a, const double* b, int d) { return std::inner_product(a, a + d, b, 0.0); }
 
-double distance_from_segment(int d, const double* a, const double* b, const double* point) {
+Point nearest_of_segment(int d, const double* a, const double* b, const double* point) {
   double along[3] = {}, to[3] = {};
   for (int k = 0; k < d; ++k) along[k] = b[k] - a[k], to[k] = point[k] - a[k];
   const double square = dot(along, along, d);
   const double part = square > 0 ? std::clamp(dot(along, to, d) / square, 0.0, 1.0) : 0.0;
-  for (int k = 0; k < d; ++k) to[k] -= part * along[k];
-  return std::sqrt(dot(to, to, d));
+  Point nearest = {0, 0, 0};
+  for (int k = 0; k < d; ++k) nearest[k] = a[k] + part * along[k];
+  return nearest;
+}
+
+double square_of_distance(int d, const Point& a, const double* b) {
+  double square = 0;
+  for (int k = 0; k < d; ++k) square += (a[k] - b[k]) * (a[k] - b[k]);
+  return square;
 }
 
 /// Inside of the prism over a triangle the nearest point lies in its plane, else on one of its edges.
-double distance_from_triangle(const double* corners, const double* point) {
+Point nearest_of_triangle(const double* corners, const double* point) {
   const double *a = corners, *b = corners + 3, *c = corners + 6;
   double ab[3], ac[3], ap[3];
   for (int k = 0; k < 3; ++k) ab[k] = b[k] - a[k], ac[k] = c[k] - a[k], ap[k] = point[k] - a[k];
@@ -31,19 +38,21 @@ double distance_from_triangle(const double* corners, const double* point) {
   const double determinant = bb * cc - bc * bc;
   const double v = cc * pb - bc * pc, w = bb * pc - bc * pb;
   if (v >= 0 && w >= 0 && v + w <= determinant && determinant > 0) {
-    double rest[3];
-    for (int k = 0; k < 3; ++k) rest[k] = ap[k] - (v * ab[k] + w * ac[k]) / determinant;
-    return std::sqrt(dot(rest, rest, 3));
+    Point nearest;
+    for (int k = 0; k < 3; ++k) nearest[k] = a[k] + (v * ab[k] + w * ac[k]) / determinant;
+    return nearest;
   }
-  return std::min({distance_from_segment(3, a, b, point), distance_from_segment(3, b, c, point),
-                   distance_from_segment(3, c, a, point)});
+  const Point of_edges[] = {nearest_of_segment(3, a, b, point), nearest_of_segment(3, b, c, point),
+                            nearest_of_segment(3, c, a, point)};
+  return *std::min_element(of_edges, of_edges + 3, [point](const Point& one, const Point& other) {
+    return square_of_distance(3, one, point) < square_of_distance(3, other, point);
+  });
 }
 
 }  // namespace
 
-double distance_from_facet(int dimension, const double* corners, const double* point) {
-  return dimension == 2 ? distance_from_segment(2, corners, corners + 2, point)
-                        : distance_from_triangle(corners, point);
+Point nearest_of_facet(int dimension, const double* corners, const double* point) {
+  return dimension == 2 ? nearest_of_segment(2, corners, corners + 2, point) : nearest_of_triangle(corners, point);
 }
 
 NearestFacet::NearestFacet(const Walls& walls) : walls_(&walls), order_(walls.num_facets()) {
@@ -86,7 +95,7 @@ std::int32_t NearestFacet::build(std::int32_t begin, std::int32_t end) {
 
 Nearest NearestFacet::find(const double* point, double bound) const {
   const int d = walls_->dimension;
-  Nearest nearest{-1, bound};
+  Nearest nearest{-1, bound, {0, 0, 0}};
   if (boxes_.empty()) return {};
   const auto distance_from_box = [&](const Box& box) {
     double square = 0;
@@ -105,8 +114,9 @@ Nearest NearestFacet::find(const double* point, double bound) const {
     if (box.left < 0) {
       for (std::int32_t i = box.begin; i < box.end; ++i) {
         const double* corners = walls_->corners.data() + static_cast<std::size_t>(order_[i]) * d * d;
-        const double distance = distance_from_facet(d, corners, point);
-        if (distance < nearest.distance) nearest = {order_[i], distance};
+        const Point of_facet = nearest_of_facet(d, corners, point);
+        const double distance = std::sqrt(square_of_distance(d, of_facet, point));
+        if (distance < nearest.distance) nearest = {order_[i], distance, of_facet};
       }
       continue;
     }

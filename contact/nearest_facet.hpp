@@ -10,10 +10,13 @@
 
 namespace vocalis::contact {
 
+using Point = std::array<double, 3>;  ///< [m]; 0 beyond the dimension
+
 /// The facet nearest to a point.
 struct Nearest {
   std::int32_t facet = -1;                                    ///< -1: none within the bound
   double distance = std::numeric_limits<double>::infinity();  ///< [m]
+  Point point = {0, 0, 0};                                    ///< of the facet
 };
 
 /// A tree of boxes over the facets of walls: finds the nearest one in the logarithm of their number.
@@ -38,8 +41,8 @@ class NearestFacet {
   std::vector<Box> boxes_;
 };
 
-/// Distance [m] of a point from a facet, given by its corners (dimension, dimension).
+/// The point of a facet, given by its corners (dimension, dimension), that is nearest to another one.
 /// Source: Ericson 2005, Real-Time Collision Detection, 5.1.5 (the regions of a triangle).
-double distance_from_facet(int dimension, const double* corners, const double* point);
+Point nearest_of_facet(int dimension, const double* corners, const double* point);
 
 }  // namespace vocalis::contact

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "contact/nearest_facet.hpp"
+#include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
 
 namespace vocalis::contact {
 
 namespace {
+
+constexpr double kOnPlane = 1e-9;  ///< over the size of the scene, or over 1
 
 bool is_zero(const double* vector, int dimension) {
   return std::all_of(vector, vector + dimension, [](double value) { return value == 0; });
@@ -48,6 +54,30 @@ void add_mean_slopes(const fem::Field& distance, std::span<const double> coordin
   }
 }
 
+/// Leaves the directions on each plane no component across it. On a wall the mean is scaled to length one, as normals
+/// are; a wall that lies in the plane keeps its own. Owners first; on return ghosts are current. Collective.
+void take_mean_on_planes(std::span<const double> coordinates, std::span<const SymmetryPlane> planes,
+                         WallDistance& walls) {
+  const fem::Space& space = *walls.distance.space;
+  const int d = space.mesh->dimension;
+  double size = 0;
+  for (const double value : coordinates) size = std::max(size, std::abs(value));
+  const double tolerance = kOnPlane * base::largest(space.mesh->comm, size);
+  for (const SymmetryPlane& plane : planes) {
+    for (std::int32_t dof = 0; dof < space.dofs.num_owned; ++dof) {
+      const double place = coordinates[static_cast<std::size_t>(space.dof_vertex[dof]) * d + plane.axis];
+      if (std::abs(place - plane.position) > tolerance) continue;
+      double* direction = walls.direction.data() + static_cast<std::size_t>(dof) * d;
+      const double across = std::exchange(direction[plane.axis], 0.0);
+      if (walls.distance.values[dof] > 0) continue;
+      const double length = std::sqrt(std::inner_product(direction, direction + d, direction, 0.0));
+      if (length <= kOnPlane) direction[plane.axis] = across;
+      for (int k = 0; k < d && length > kOnPlane; ++k) direction[k] /= length;
+    }
+  }
+  space.halo.copy_to_ghosts(walls.direction, d);
+}
+
 }  // namespace
 
 WallDistance direct_distance(const fem::Space& space, std::span<const mesh::NamedFacet> facets,
@@ -55,23 +85,24 @@ WallDistance direct_distance(const fem::Space& space, std::span<const mesh::Name
   const int d = space.mesh->dimension;
   const Walls walls = gather_walls(*space.mesh, facets, coordinates, planes);
   const NearestFacet tree(walls);
-  WallDistance result{fem::Field(space, 1), wall_normals(space, facets, coordinates)};
+  WallDistance result{fem::Field(space, 1), wall_normals(space, facets, coordinates), bound};
   for (std::int32_t dof = 0; dof < space.dofs.num_owned; ++dof) {
     double* direction = result.direction.data() + static_cast<std::size_t>(dof) * d;
     if (!is_zero(direction, d)) continue;
-    const Nearest nearest = tree.find(coordinates.data() + static_cast<std::size_t>(space.dof_vertex[dof]) * d, bound);
+    const double* point = coordinates.data() + static_cast<std::size_t>(space.dof_vertex[dof]) * d;
+    const Nearest nearest = tree.find(point, bound);
     result.distance.values[dof] = std::min(nearest.distance, bound);
-    if (nearest.facet >= 0)
-      std::copy_n(walls.normals.data() + static_cast<std::size_t>(nearest.facet) * d, d, direction);
+    if (nearest.facet < 0 || nearest.distance == 0) continue;
+    for (int k = 0; k < d; ++k) direction[k] = (point[k] - nearest.point[k]) / nearest.distance;
   }
   result.distance.copy_to_ghosts();
-  space.halo.copy_to_ghosts(result.direction, d);
+  take_mean_on_planes(coordinates, planes, result);
   return result;
 }
 
 WallDistance eikonal_distance(Eikonal& eikonal, const fem::Space& space, std::span<const mesh::NamedFacet> facets,
-                              std::span<const double> coordinates, const EikonalSettings& settings,
-                              std::span<const double> guess, EikonalReport& report) {
+                              std::span<const double> coordinates, std::span<const SymmetryPlane> planes,
+                              const EikonalSettings& settings, std::span<const double> guess, EikonalReport& report) {
   const int d = space.mesh->dimension;
   WallDistance result{fem::Field(space, 1), wall_normals(space, facets, coordinates)};
   std::copy(guess.begin(), guess.end(), result.distance.values.begin());
@@ -82,6 +113,7 @@ WallDistance eikonal_distance(Eikonal& eikonal, const fem::Space& space, std::sp
   report = eikonal.solve(coordinates, on_wall, settings, result.distance);
   d == 2 ? add_mean_slopes<2>(result.distance, coordinates, result.direction)
          : add_mean_slopes<3>(result.distance, coordinates, result.direction);
+  take_mean_on_planes(coordinates, planes, result);
   return result;
 }
 

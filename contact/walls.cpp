@@ -11,21 +11,17 @@ namespace vocalis::contact {
 
 namespace {
 
-/// Corners of a facet, and its normal into its cell with the length of its measure.
-struct PlacedFacet {
-  std::array<const double*, 3> corner = {nullptr, nullptr, nullptr};
-  std::array<double, 3> normal = {0, 0, 0};
-};
-
-PlacedFacet place(const mesh::Mesh& mesh, const mesh::NamedFacet& facet, std::span<const double> coordinates) {
+/// Normal of a facet into its cell with the length of its measure.
+std::array<double, 3> weighted_normal(const mesh::Mesh& mesh, const mesh::NamedFacet& facet,
+                                      std::span<const double> coordinates) {
   const int d = mesh.dimension;
   const auto vertices = mesh.vertices_of(facet.cell);
   const auto point = [&](int i) { return coordinates.data() + static_cast<std::size_t>(vertices[i]) * d; };
-  PlacedFacet placed;
-  auto& [corner, normal] = placed;
+  std::array<const double*, 3> corner = {nullptr, nullptr, nullptr};
   for (int i = 0, n = 0; i <= d; ++i) {
     if (i != facet.index) corner[n++] = point(i);
   }
+  std::array<double, 3> normal = {0, 0, 0};
   if (d == 2) {
     normal = {corner[0][1] - corner[1][1], corner[1][0] - corner[0][0], 0};
   } else {
@@ -40,7 +36,7 @@ PlacedFacet place(const mesh::Mesh& mesh, const mesh::NamedFacet& facet, std::sp
   if (inside < 0) {
     for (double& value : normal) value = -value;
   }
-  return placed;
+  return normal;
 }
 
 void normalise(double* vector, int dimension) {
@@ -49,15 +45,11 @@ void normalise(double* vector, int dimension) {
 }
 
 void add_mirror_images(Walls& walls, const SymmetryPlane& plane) {
-  const auto append = [&](std::vector<double>& values, double offset) {
-    const std::size_t count = values.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool across = static_cast<int>(i % walls.dimension) == plane.axis;
-      values.push_back(across ? offset - values[i] : values[i]);
-    }
-  };
-  append(walls.corners, 2 * plane.position);
-  append(walls.normals, 0);
+  const std::size_t count = walls.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool across = static_cast<int>(i % walls.dimension) == plane.axis;
+    walls.corners.push_back(across ? 2 * plane.position - walls.corners[i] : walls.corners[i]);
+  }
 }
 
 }  // namespace
@@ -86,17 +78,15 @@ std::vector<mesh::NamedFacet> wall_facets(const mesh::Mesh& mesh, std::span<cons
 Walls gather_walls(const mesh::Mesh& mesh, std::span<const mesh::NamedFacet> facets,
                    std::span<const double> coordinates, std::span<const SymmetryPlane> planes) {
   const int d = mesh.dimension;
-  Walls mine;
+  std::vector<double> mine;
   for (const mesh::NamedFacet& facet : facets) {
-    PlacedFacet placed = place(mesh, facet, coordinates);
-    normalise(placed.normal.data(), d);
-    for (int i = 0; i < d; ++i) mine.corners.insert(mine.corners.end(), placed.corner[i], placed.corner[i] + d);
-    mine.normals.insert(mine.normals.end(), placed.normal.begin(), placed.normal.begin() + d);
+    const auto vertices = mesh.vertices_of(facet.cell);
+    for (int i = 0; i <= d; ++i) {
+      const double* corner = coordinates.data() + static_cast<std::size_t>(vertices[i]) * d;
+      if (i != facet.index) mine.insert(mine.end(), corner, corner + d);
+    }
   }
-  Walls walls;
-  walls.dimension = d;
-  walls.corners = base::concatenate_all(mesh.comm, mine.corners);
-  walls.normals = base::concatenate_all(mesh.comm, mine.normals);
+  Walls walls{d, base::concatenate_all(mesh.comm, mine)};
   for (const SymmetryPlane& plane : planes) add_mirror_images(walls, plane);
   return walls;
 }
@@ -107,11 +97,11 @@ std::vector<double> wall_normals(const fem::Space& space, std::span<const mesh::
   const int d = mesh.dimension;
   std::vector<double> normals(static_cast<std::size_t>(space.num_dofs()) * d, 0.0);
   for (const mesh::NamedFacet& facet : facets) {
-    const PlacedFacet placed = place(mesh, facet, coordinates);
+    const std::array<double, 3> normal = weighted_normal(mesh, facet, coordinates);
     const auto dofs = space.dofs_of(facet.cell);
     for (int i = 0; i <= d; ++i) {
       for (int k = 0; k < d && i != facet.index; ++k) {
-        normals[static_cast<std::size_t>(dofs[i]) * d + k] += placed.normal[k];
+        normals[static_cast<std::size_t>(dofs[i]) * d + k] += normal[k];
       }
     }
   }

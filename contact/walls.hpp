@@ -12,9 +12,8 @@ namespace vocalis::contact {
 struct Walls {
   int dimension = 2;
   std::vector<double> corners;  ///< (facets, dimension, dimension): corners of each facet, then coordinates [m]
-  std::vector<double> normals;  ///< (facets, dimension) unit vectors into the fluid
 
-  std::size_t num_facets() const { return normals.size() / dimension; }
+  std::size_t num_facets() const { return corners.size() / (dimension * dimension); }
 };
 
 /// A rigid plane of symmetry, x[axis] = position: what lies behind it is the mirror image of what lies before.
