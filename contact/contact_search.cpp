@@ -114,7 +114,7 @@ std::optional<AxisGap> ContactSearch::measure(std::span<const double> coordinate
   }
   EikonalReport report;
   const WallDistance walls =
-      eikonal_distance(*eikonal_, space_, walls_, coordinates, EikonalSettings{}, guess_, report);
+      eikonal_distance(*eikonal_, space_, walls_, coordinates, planes_, EikonalSettings{}, guess_, report);
   if (!report.converged) {
     reason = "the distance from walls: " + report.reason;
     return std::nullopt;
