@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/pockets.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
 #include "core/mesh/geometry.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double closes_again = 0.9;    ///< of the gap at which a cell opened
 constexpr double share_of_rest = 0.5;   ///< no cell closes that is wider than this share of its gap at rest
+constexpr double pocket_width = 2;      ///< half the gap of a pocket over that of a cell that closes, at most
 constexpr double safe_clearance = 0.5;  ///< share of the clearance that walls may have used up unmeasured
 
 fem::Space space_on_fluid(const mesh::Mesh& mesh, std::span<const char> cell_is_fluid) {
@@ -73,7 +75,9 @@ ContactSearch::ContactSearch(const mesh::Mesh& mesh, std::span<const char> cell_
   bound_ = widest / share_of_rest;
   closes_below_.assign(length_.size(), 0.0);
   std::string reason;
-  const auto rest = measure(mesh.coordinates, reason);
+  const auto walls_at_rest = measure(mesh.coordinates, reason);
+  std::optional<AxisGap> rest;
+  if (walls_at_rest) rest = axis_gap(*walls_at_rest, mesh.coordinates, settings.gamma);
   for (std::size_t cell = 0; cell < length_.size(); ++cell) {
     const double at_rest = rest ? rest->gap[cell] : std::numeric_limits<double>::infinity();
     closes_below_[cell] = std::min(2 * settings.alpha * length_[cell], share_of_rest * at_rest);
@@ -108,31 +112,32 @@ void ContactSearch::forget() {
   measured_.clear();
 }
 
-std::optional<AxisGap> ContactSearch::measure(std::span<const double> coordinates, std::string& reason) {
+std::optional<WallDistance> ContactSearch::measure(std::span<const double> coordinates, std::string& reason) {
   if (!eikonal_) {
-    return axis_gap(direct_distance(space_, walls_, coordinates, planes_, bound_), coordinates, settings_.gamma);
+    return direct_distance(space_, walls_, coordinates, planes_, bound_);
   }
   EikonalReport report;
-  const WallDistance walls =
+  WallDistance walls =
       eikonal_distance(*eikonal_, space_, walls_, coordinates, planes_, EikonalSettings{}, guess_, report);
   if (!report.converged) {
     reason = "the distance from walls: " + report.reason;
     return std::nullopt;
   }
   guess_ = walls.distance.values;
-  return axis_gap(walls, coordinates, settings_.gamma);
+  return walls;
 }
 
 ContactProposal ContactSearch::propose(std::span<const double> coordinates, const ContactState& state,
                                        const ContactLoad& load) {
   ContactProposal proposal;
   proposal.state = state;
-  const auto gaps = measure(coordinates, proposal.reason);
-  if (!gaps) return proposal;
-  open_and_close(*gaps, load, proposal);
+  const auto walls = measure(coordinates, proposal.reason);
+  if (!walls) return proposal;
+  const AxisGap gaps = axis_gap(*walls, coordinates, settings_.gamma);
+  open_and_close(gaps, load, proposal);
   double clearance = bound_;
-  for (std::size_t cell = 0; cell < gaps->gap.size(); ++cell) {
-    clearance = std::min(clearance, gaps->gap[cell] - closes_below_[cell]);
+  for (std::size_t cell = 0; cell < gaps.gap.size(); ++cell) {
+    clearance = std::min(clearance, gaps.gap[cell] - closes_below_[cell]);
     if (state.closing_gap[cell] > 0 || state.opening_gap[cell] > 0) clearance = 0;
   }
   const MPI_Comm comm = mesh_->comm;
@@ -142,7 +147,11 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
   proposal.opening = base::sum(comm, proposal.opening);
   proposal.closed = base::sum(comm, proposal.closed);
   proposal.depth = base::smallest(comm, proposal.depth);
-  spread(coordinates, state, proposal);
+  if (proposal.closed > 0) {
+    spread(*walls, coordinates, state, proposal);
+  } else {
+    std::fill(proposal.state.in_contact.begin(), proposal.state.in_contact.end(), 0);
+  }
   return proposal;
 }
 
@@ -178,8 +187,8 @@ void ContactSearch::open_and_close(const AxisGap& gaps, const ContactLoad& load,
   }
 }
 
-/// All cells near closed ones; those that are in contact already stay a little longer.
-void ContactSearch::spread(std::span<const double> coordinates, const ContactState& before,
+/// All cells near closed ones, of which those that are in contact already stay a little longer, and pockets.
+void ContactSearch::spread(const WallDistance& walls, std::span<const double> coordinates, const ContactState& before,
                            ContactProposal& proposal) const {
   const int d = mesh_->dimension;
   ContactState& state = proposal.state;
@@ -207,10 +216,14 @@ void ContactSearch::spread(std::span<const double> coordinates, const ContactSta
     }
     const double reach = settings_.beta * length_[cell] * (before.in_contact[cell] ? 1 + settings_.release_gap : 1);
     state.in_contact[cell] = nearest <= reach * reach;
-    if (!state.in_contact[cell] || before.in_contact[cell]) continue;
+    if (before.in_contact[cell] || of >= closed.size()) continue;
     std::copy_n(closed.begin() + static_cast<std::ptrdiff_t>(of) + d, d,
                 state.normal.begin() + static_cast<std::ptrdiff_t>(cell) * d);
   }
+  std::vector<double> width(length_.size());
+  for (std::size_t cell = 0; cell < width.size(); ++cell) width[cell] = pocket_width * settings_.alpha * length_[cell];
+  const std::vector<char> pockets = find_pockets(walls, width, state.in_contact);
+  for (std::size_t cell = 0; cell < pockets.size(); ++cell) state.in_contact[cell] |= pockets[cell];
 }
 
 }  // namespace vocalis::contact

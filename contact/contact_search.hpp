@@ -30,7 +30,7 @@ struct ContactState {
 
 /// How contact cells were loaded in a step; of owned cells, 0 in all others.
 struct ContactLoad {
-  std::vector<double> normal_stress;  ///< [Pa] n·σ·n, positive when pulled
+  std::vector<double> normal_stress;  ///< [Pa] n·σ·n in excess of the fluid's, positive when pulled
   std::vector<double> opening_rate;   ///< [1/s] n·∇v·n, positive when the walls move apart
 };
 
@@ -48,7 +48,8 @@ struct ContactProposal {
 /// rest (so that corners and narrow channels between rigid walls never close), and opens where it is pulled while its
 /// walls move apart, or where the gap has become wider than at closing by `release_gap`. One that has just opened
 /// closes again only when it is a tenth narrower than then, or has been apart. All cells near closed ones are in
-/// contact. Source: Degirmenci 2018, Algorithm 2, with the gap in place of D, and conditions to open, which it lacks.
+/// contact, and so are pockets that they cut off. Source: Degirmenci 2018, Algorithm 2, with the gap in place of D, and
+/// conditions to open, which it lacks.
 class ContactSearch {
  public:
   /// mesh           at rest; must outlive the search
@@ -73,9 +74,10 @@ class ContactSearch {
   ContactProposal propose(std::span<const double> coordinates, const ContactState& state, const ContactLoad& load);
 
  private:
-  std::optional<AxisGap> measure(std::span<const double> coordinates, std::string& reason);
+  std::optional<WallDistance> measure(std::span<const double> coordinates, std::string& reason);
   void open_and_close(const AxisGap& gaps, const ContactLoad& load, ContactProposal& proposal) const;
-  void spread(std::span<const double> coordinates, const ContactState& before, ContactProposal& proposal) const;
+  void spread(const WallDistance& walls, std::span<const double> coordinates, const ContactState& before,
+              ContactProposal& proposal) const;
 
   const mesh::Mesh* mesh_;
   ContactSettings settings_;

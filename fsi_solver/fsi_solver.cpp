@@ -90,7 +90,7 @@ StepReport FsiSolver::try_step(double dt) {
     if (!(report.smallest_quality > 0)) {
       report.converged = false;
       report.inverted = true;
-      report.reason = "a cell would be inverted";
+      report.reason = "a cell would be inverted, " + in.assembly->worst_cell();
     }
   }
   if (report.converged && in.time_settings.tolerance > 0) {

@@ -34,6 +34,9 @@ struct Stage {
   double displacement_slope() const { return weight * weight / rate; }
 };
 
+/// Where Newton's method starts: from the velocity extrapolated in time, or from that of now.
+enum class Start { extrapolated, present };
+
 /// dt  [s] of this step; last_dt [s] of the step before, 0 if there was none
 inline Stage make_stage(const TimeSettings& settings, double dt, double last_dt) {
   Stage stage;

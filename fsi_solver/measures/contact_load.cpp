@@ -1,5 +1,10 @@
 #include "fsi_solver/measures/contact_load.hpp"
 
+#include <algorithm>
+#include <limits>
+
+#include "core/base/mpi.hpp"
+#include "core/mesh/facets.hpp"
 #include "fsi_solver/solution/assembly.hpp"
 
 namespace vocalis::fsi {
@@ -73,6 +78,31 @@ void fill(const FsiSolver& solver, std::span<const double> normal, ContactLoad& 
   }
 }
 
+/// At the vertices of fluid cells that touch a contact cell, but not at those that they share: there it may jump.
+double lowest_pressure_around(const FsiSolver& solver) {
+  const Continuum& continuum = solver.continuum();
+  const mesh::Mesh& mesh = *continuum.mesh;
+  std::vector<std::int32_t> is_contact(mesh.num_cells());
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    is_contact[cell] = continuum.cell_solid[cell] >= 0 && continuum.cell_solid[cell] == continuum.contact;
+  }
+  const std::vector<std::int32_t> touches = mesh::mark_vertices_of_cells(mesh, is_contact);
+  const fem::Field& pressure = solver.assembly().fields().pressure();
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double lowest = none;
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    if (continuum.cell_solid[cell] >= 0) continue;
+    const auto vertices = mesh.vertices_of(cell);
+    if (std::none_of(vertices.begin(), vertices.end(), [&](std::int32_t v) { return touches[v] != 0; })) continue;
+    const auto dofs = continuum.pressure_space.dofs_of(cell);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (!touches[vertices[i]]) lowest = std::min(lowest, pressure.values[dofs[i]]);
+    }
+  }
+  lowest = base::smallest(mesh.comm, lowest);
+  return lowest < none ? lowest : 0;
+}
+
 }  // namespace
 
 ContactLoad contact_load(const FsiSolver& solver, std::span<const double> normal) {
@@ -83,6 +113,7 @@ ContactLoad contact_load(const FsiSolver& solver, std::span<const double> normal
   if (!continuum.batches.batches.empty() && continuum.contact >= 0) {
     with_element(continuum.velocity_space, [&]<int D, int Degree>() { fill<D, Degree>(solver, normal, load); });
   }
+  load.fluid_pressure = lowest_pressure_around(solver);
   return load;
 }
 

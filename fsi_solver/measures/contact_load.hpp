@@ -12,10 +12,11 @@ namespace vocalis::fsi {
 struct ContactLoad {
   std::vector<double> normal_stress;  ///< n·σ·n [Pa], negative under pressure
   std::vector<double> opening_rate;   ///< n·(∇v)n [1/s]
+  double fluid_pressure = 0;          ///< [Pa] lowest in the fluid next to contact cells; 0 if there are none
 };
 
 /// normal  (owned cells, dimension) N
-/// Not collective. The phases must still be those of the step.
+/// Collective. The phases must still be those of the step.
 ContactLoad contact_load(const FsiSolver& solver, std::span<const double> normal);
 
 }  // namespace vocalis::fsi

@@ -1,7 +1,10 @@
 #include "fsi_solver/solution/assembly.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/base/mpi.hpp"
 #include "fsi_solver/cells/fluid_terms.hpp"
 #include "fsi_solver/cells/solid_terms.hpp"
 #include "fsi_solver/cells/tractions.hpp"
@@ -104,8 +107,8 @@ std::vector<PetscInt> Assembly::rows_of_cells() const {
   return rows;
 }
 
-void Assembly::begin_step(const State& state, const Stage& stage, Vec unknowns) {
-  fields_.begin_step(state, stage, unknowns);
+void Assembly::begin_step(const State& state, const Stage& stage, Start start, Vec unknowns) {
+  fields_.begin_step(state, stage, start, unknowns);
   fields_.follow(unknowns);
   with_element(continuum_.velocity_space, [&]<int D, int Degree>() {
     if (!needs_stabilisation(continuum_, settings_)) return;
@@ -114,7 +117,7 @@ void Assembly::begin_step(const State& state, const Stage& stage, Vec unknowns) 
     const la::OwnedValues values(unknowns);
     layout().copy_owned_to_system(2, gradient.values, values.data());
   });
-  fields_.predict(unknowns);
+  if (start == Start::extrapolated) fields_.predict(unknowns);
 }
 
 ResidualSize Assembly::residual(Vec unknowns, Vec result) {
@@ -143,6 +146,7 @@ void Assembly::sum_cells(ResidualSums& sums) {
   CellInput<D, Degree> in{};
   CellResidual<D, Degree> out{};
   const CellBatches& batches = continuum_.batches;
+  smallest_cell_ = -1;
   for (std::size_t batch = 0; batch < batches.batches.size(); ++batch) {
     const auto& [solid, count, cells] = batches.batches[batch];
     fields_.gather(batches, batch, in);
@@ -154,7 +158,11 @@ void Assembly::sum_cells(ResidualSums& sums) {
                                 continuum_.solids[solid].incompressible, out);
     }
     for (int lane = 0; lane < lane_count; ++lane) {
-      if (!(out.smallest_determinant[lane] > 0)) sums.mark_inverted();
+      const double determinant = out.smallest_determinant[lane];
+      if (!(determinant > 0)) sums.mark_inverted();
+      if (smallest_cell_ >= 0 && !(determinant < smallest_determinant_)) continue;
+      smallest_determinant_ = determinant;
+      smallest_cell_ = cells[lane];
     }
     scatter(out.values, E::nodes, D, batches.velocity_dofs_of(batch), count, momentum_);
     scatter(out.values + E::pressure(0), E::corners, 1, batches.pressure_dofs_of(batch), count, mass_);
@@ -169,6 +177,29 @@ void Assembly::sum_cells(ResidualSums& sums) {
       sums.add_terms(ResidualSums::projection, pressure_label, E::corners * squares_of(&out.gradient_size, 1, active));
     }
   }
+}
+
+std::string Assembly::worst_cell() const {
+  const mesh::Mesh& mesh = *continuum_.mesh;
+  // Kind and middle, of the rank that has it.
+  std::vector<double> mine;
+  if (smallest_cell_ >= 0) {
+    mine = {smallest_determinant_, static_cast<double>(continuum_.cell_solid[smallest_cell_]), 0, 0, 0};
+    for (const std::int32_t v : mesh.vertices_of(smallest_cell_)) {
+      for (int k = 0; k < mesh.dimension; ++k) mine[2 + k] += mesh.point(v)[k] / (mesh.dimension + 1);
+    }
+  }
+  const std::vector<double> all = base::concatenate_all(mesh.comm, mine);
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < all.size(); i += 5) {
+    if (!(all[i] > all[worst])) worst = i;
+  }
+  const int solid = static_cast<int>(all[worst + 1]);
+  const std::string name = solid < 0                     ? "the fluid"
+                           : solid == continuum_.contact ? "the contact medium"
+                                                         : "'" + continuum_.solids[solid].region + "'";
+  const std::string depth = mesh.dimension == 3 ? fmt::format(", {:.5g}", all[worst + 4]) : "";
+  return fmt::format("of {} at rest at ({:.5g}, {:.5g}{}) m", name, all[worst + 2], all[worst + 3], depth);
 }
 
 template <int D, int Degree>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/la/assembled_matrix.hpp"
@@ -21,9 +22,9 @@ class Assembly {
   const la::SystemLayout& layout() const { return fields_.layout(); }
   Mat matrix() const { return matrix_->get(); }
 
-  /// Sets the unknowns to where Newton's method starts, velocity extrapolated and essential values imposed, and freezes
-  /// the step's stabilisation there. Collective.
-  void begin_step(const State& state, const Stage& stage, Vec unknowns);
+  /// Sets the unknowns to where Newton's method starts, velocity extrapolated or not, essential values imposed, and
+  /// freezes the step's stabilisation there. Collective.
+  void begin_step(const State& state, const Stage& stage, Start start, Vec unknowns);
   /// Collective.
   ResidualSize residual(Vec unknowns, Vec result);
   /// At the unknowns of the last `residual`. Collective.
@@ -38,6 +39,9 @@ class Assembly {
   /// Forces of the boundaries on each owned dof of the velocity [N], of essential conditions and of tractions, at the
   /// stage of the last `residual`; zero inside. Their product with the velocity is the power that they supply.
   const std::vector<double>& outer_forces() const { return outer_forces_; }
+  /// The cell that is turned over most at the unknowns of the last `residual`: what it is of and where it rests, "of
+  /// the fluid at rest at (0.1, 0.2) m". Collective.
+  std::string worst_cell() const;
 
  private:
   void find_held_rows();
@@ -68,6 +72,8 @@ class Assembly {
   std::vector<double> cell_matrices_;
   fem::Load momentum_, mass_, slope_, traction_;
   std::vector<double> outer_forces_;
+  double smallest_determinant_ = 0;  ///< over this rank's cells, and which cell has it
+  std::int32_t smallest_cell_ = -1;
 };
 
 }  // namespace vocalis::fsi

@@ -133,16 +133,17 @@ PetscErrorCode Newton::test(SNES, PetscInt, PetscReal, PetscReal, PetscReal, SNE
 NewtonReport Newton::solve(const State& state, const Stage& stage) {
   if (std::abs(stage.rate - jacobian_stage_.rate) > 1e-3 * stage.rate) has_jacobian_ = false;
   const bool is_kept = has_jacobian_;
-  const NewtonReport first = attempt(state, stage);
-  if (first.converged || !is_kept) return first;
-  // The fault may be that of the old Jacobian, and a new one is cheaper than two halves of the step.
-  NewtonReport second = attempt(state, stage);
+  const NewtonReport first = attempt(state, stage, Start::extrapolated);
+  if (first.converged || !(is_kept || first.inverted)) return first;
+  // The fault may be that of the old Jacobian, or of an extrapolation that turns a cell over where cells have just
+  // closed, and a new attempt is cheaper than two halves of the step.
+  NewtonReport second = attempt(state, stage, first.inverted ? Start::present : Start::extrapolated);
   second.iterations += first.iterations;
   second.jacobians += first.jacobians;
   return second;
 }
 
-NewtonReport Newton::attempt(const State& state, const Stage& stage) {
+NewtonReport Newton::attempt(const State& state, const Stage& stage, Start start) {
   jacobian_stage_ = stage;
   jacobians_ = 0;
   errors_.clear();
@@ -151,7 +152,7 @@ NewtonReport Newton::attempt(const State& state, const Stage& stage) {
   has_step_ = true;
   {
     const auto scope = timers_.scope("flow.assemble");
-    assembly_.begin_step(state, stage, unknowns_.get());
+    assembly_.begin_step(state, stage, start, unknowns_.get());
   }
   const PetscErrorCode code = SNESSolve(solver_.get(), nullptr, unknowns_.get());
   if (failure_) std::rethrow_exception(failure_);
@@ -165,7 +166,8 @@ NewtonReport Newton::attempt(const State& state, const Stage& stage) {
   report.residual = size_.error;
   report.inverted = size_.inverted;
   if (!report.converged) {
-    report.reason = report.inverted ? "a cell would be inverted" : SNESConvergedReasons[reason];
+    report.reason =
+        report.inverted ? "a cell would be inverted, " + assembly_.worst_cell() : SNESConvergedReasons[reason];
     has_jacobian_ = false;
   }
   return report;

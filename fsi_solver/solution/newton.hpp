@@ -36,7 +36,7 @@ class Newton {
   void drop_jacobian() { has_jacobian_ = false; }
 
  private:
-  NewtonReport attempt(const State& state, const Stage& stage);
+  NewtonReport attempt(const State& state, const Stage& stage, Start start);
   static PetscErrorCode residual(SNES snes, Vec unknowns, Vec result, void* self);
   static PetscErrorCode jacobian(SNES snes, Vec unknowns, Mat matrix, Mat same, void* self);
   static PetscErrorCode improve(SNESLineSearch search, Vec unknowns, Vec change, PetscBool* changed, void* self);

@@ -29,12 +29,13 @@ StageFields::StageFields(const Continuum& continuum, const FlowSettings& setting
   if (has_forces_) fluid_force_ = solid_force_ = velocity_.values;
 }
 
-void StageFields::begin_step(const State& state, const Stage& stage, Vec unknowns) {
+void StageFields::begin_step(const State& state, const Stage& stage, Start start, Vec unknowns) {
   state_ = &state;
   stage_ = stage;
   offset_left_ = settings_.mesh_recovery > 0 ? std::exp(-stage.dt / settings_.mesh_recovery) : 0;
   velocity_ = state.velocity;
-  const double ratio = state.last_dt > 0 ? stage.dt / state.last_dt : 0;
+  const bool extrapolates = start == Start::extrapolated && state.last_dt > 0;
+  const double ratio = extrapolates ? stage.dt / state.last_dt : 0;
   for (std::size_t i = 0; i < velocity_.values.size(); ++i) {
     velocity_.values[i] += ratio * (velocity_.values[i] - state.velocity_before.values[i]);
   }

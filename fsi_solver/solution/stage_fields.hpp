@@ -23,9 +23,9 @@ class StageFields {
   const la::SystemLayout& layout() const { return layout_; }
 
   /// Takes the state, which must outlive the step, and sets velocity and pressure of the unknowns to where Newton's
-  /// method starts: velocity extrapolated, essential values imposed, pressure as it was. An explicit geometry is found
-  /// here. Collective.
-  void begin_step(const State& state, const Stage& stage, Vec unknowns);
+  /// method starts: velocity extrapolated or not, essential values imposed, pressure as it was. An explicit geometry is
+  /// found here. Collective.
+  void begin_step(const State& state, const Stage& stage, Start start, Vec unknowns);
   /// Sets the velocity of the unknowns to a prediction of higher order, from which Newton's method has less to go. What
   /// is frozen during a step is better taken from the linear extrapolation, which does not amplify noise as much.
   void predict(Vec unknowns);
