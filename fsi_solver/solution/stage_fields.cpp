@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fsi_solver/cells/curvature.hpp"
+
 namespace vocalis::fsi {
 
 StageFields::StageFields(const Continuum& continuum, const FlowSettings& settings, const Conditions& conditions,
@@ -187,7 +189,8 @@ void StageFields::find_forces() {
   }
 }
 
-/// A contact cell's reference is where it closed: the moved place stays what it is.
+/// A contact cell's reference is where it closed, in the shape that the fluid had: what it has moved since stays what
+/// it is.
 template <int D, int Degree>
 void StageFields::refer_to_closing(const CellBatches::Batch& batch, CellInput<D, Degree>& in) const {
   constexpr int nodes = CellInput<D, Degree>::nodes;
@@ -200,6 +203,7 @@ void StageFields::refer_to_closing(const CellBatches::Batch& batch, CellInput<D,
       }
     }
   }
+  limit_bow<D, Degree>(in.position);
 }
 
 template <int D, int Degree>
@@ -223,6 +227,7 @@ void StageFields::gather(const CellBatches& batches, std::size_t batch, CellInpu
       }
     }
   }
+  if (is_fluid && moves_) limit_bow<D, Degree>(in.position);
   if (!is_fluid && solid == continuum_.contact) refer_to_closing(batches.batches[batch], in);
   const std::int32_t* pressures = batches.pressure_dofs_of(batch);
   for (int b = 0; b <= D; ++b) {
