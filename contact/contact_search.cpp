@@ -56,6 +56,50 @@ std::array<double, 3> middle(const mesh::Mesh& mesh, std::int32_t cell, std::spa
   return result;
 }
 
+/// The closed cells of the axis of all ranks.
+struct ClosedCells {
+  int dimension = 2;
+  std::size_t first = 0;                 ///< number of this rank's first one
+  std::vector<double> middles, normals;  ///< (closed cells, dimension)
+
+  std::size_t count() const { return normals.size() / dimension; }
+  struct Nearest {
+    std::size_t index = 0;
+    double square = std::numeric_limits<double>::infinity();  ///< of the distance
+  };
+  Nearest nearest(const std::array<double, 3>& place) const {
+    Nearest result;
+    for (std::size_t i = 0; i < count(); ++i) {
+      double square = 0;
+      for (int k = 0; k < dimension; ++k) {
+        const double way = middles[i * dimension + k] - place[k];
+        square += way * way;
+      }
+      if (square < result.square) result = {i, square};
+    }
+    return result;
+  }
+};
+
+ClosedCells gather_closed(const mesh::Mesh& mesh, std::span<const double> coordinates, const ContactState& state) {
+  const int d = mesh.dimension;
+  ClosedCells mine{d, 0, {}, {}};
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    if (state.closing_gap[cell] == 0) continue;
+    const auto place = middle(mesh, cell, coordinates);
+    mine.middles.insert(mine.middles.end(), place.begin(), place.begin() + d);
+    const double* normal = state.normal.data() + static_cast<std::size_t>(cell) * d;
+    mine.normals.insert(mine.normals.end(), normal, normal + d);
+  }
+  const auto counts = base::gather_all(mesh.comm, static_cast<std::int64_t>(mine.count()));
+  std::size_t first = 0;
+  for (int rank = 0; rank < base::rank(mesh.comm); ++rank) first += counts[rank];
+  return {d, first, base::concatenate_all(mesh.comm, mine.middles), base::concatenate_all(mesh.comm, mine.normals)};
+}
+
+/// Sums over contact cells: their number, normal stress, opening rate; those at the fluid, its pressure there.
+using GroupLoad = std::array<double, 5>;
+
 }  // namespace
 
 ContactSearch::ContactSearch(const mesh::Mesh& mesh, std::span<const char> cell_is_fluid,
@@ -134,7 +178,7 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
   const auto walls = measure(coordinates, proposal.reason);
   if (!walls) return proposal;
   const AxisGap gaps = axis_gap(*walls, coordinates, settings_.gamma);
-  open_and_close(gaps, load, proposal);
+  open_and_close(gaps, find_parting(coordinates, state, load), proposal);
   double clearance = bound_;
   for (std::size_t cell = 0; cell < gaps.gap.size(); ++cell) {
     clearance = std::min(clearance, gaps.gap[cell] - closes_below_[cell]);
@@ -155,8 +199,37 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
   return proposal;
 }
 
+/// Whether each cell of the axis that is closed shall open, judged by all contact cells that are nearest to it.
+std::vector<char> ContactSearch::find_parting(std::span<const double> coordinates, const ContactState& state,
+                                              const ContactLoad& load) const {
+  const ClosedCells closed = gather_closed(*mesh_, coordinates, state);
+  std::vector<GroupLoad> groups(closed.count());
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    if (!state.in_contact[cell] || groups.empty()) continue;
+    GroupLoad& group = groups[closed.nearest(middle(*mesh_, cell, coordinates)).index];
+    const double part[] = {1, load.normal_stress[cell], load.opening_rate[cell]};
+    for (int i = 0; i < 3; ++i) group[i] += part[i];
+    if (std::isnan(load.fluid_pressure[cell])) continue;
+    group[3] += 1;
+    group[4] += load.fluid_pressure[cell];
+  }
+  if (!groups.empty()) {
+    MPI_Allreduce(MPI_IN_PLACE, groups.data(), static_cast<int>(5 * groups.size()), MPI_DOUBLE, MPI_SUM, mesh_->comm);
+  }
+  std::vector<char> is_parting(length_.size(), 0);
+  std::size_t number = closed.first;
+  for (std::size_t cell = 0; cell < length_.size(); ++cell) {
+    if (state.closing_gap[cell] == 0) continue;
+    const auto& [cells, stress, rate, at_fluid, pressures] = groups[number++];
+    const double pressure = at_fluid > 0 ? pressures / at_fluid : load.lowest_fluid_pressure;
+    is_parting[cell] = cells > 0 && stress / cells > -pressure && rate > 0;
+  }
+  return is_parting;
+}
+
 /// The cells of the axis, on this rank.
-void ContactSearch::open_and_close(const AxisGap& gaps, const ContactLoad& load, ContactProposal& proposal) const {
+void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is_parting,
+                                   ContactProposal& proposal) const {
   const int d = mesh_->dimension;
   ContactState& state = proposal.state;
   const double apart = 1 + settings_.release_gap;
@@ -164,8 +237,7 @@ void ContactSearch::open_and_close(const AxisGap& gaps, const ContactLoad& load,
     const double gap = gaps.gap[cell];
     if (state.closing_gap[cell] > 0) {
       const bool is_wide = std::isfinite(gap) && gap > apart * state.closing_gap[cell];
-      const bool is_pulled = load.normal_stress[cell] > 0 && load.opening_rate[cell] > 0;
-      if (is_wide || is_pulled) {
+      if (is_wide || is_parting[cell]) {
         state.opening_gap[cell] = std::isfinite(gap) ? gap : state.closing_gap[cell];
         state.closing_gap[cell] = 0;
         ++proposal.opening;
@@ -190,35 +262,16 @@ void ContactSearch::open_and_close(const AxisGap& gaps, const ContactLoad& load,
 /// All cells near closed ones, of which those that are in contact already stay a little longer, and pockets.
 void ContactSearch::spread(const WallDistance& walls, std::span<const double> coordinates, const ContactState& before,
                            ContactProposal& proposal) const {
-  const int d = mesh_->dimension;
+  const std::ptrdiff_t d = mesh_->dimension;
   ContactState& state = proposal.state;
-  std::vector<double> mine;  // middle and normal of each closed cell
-  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
-    if (state.closing_gap[cell] == 0) continue;
-    const auto place = middle(*mesh_, cell, coordinates);
-    mine.insert(mine.end(), place.begin(), place.begin() + d);
-    mine.insert(mine.end(), state.normal.begin() + static_cast<std::ptrdiff_t>(cell) * d,
-                state.normal.begin() + static_cast<std::ptrdiff_t>(cell + 1) * d);
-  }
-  const std::vector<double> closed = base::concatenate_all(mesh_->comm, mine);
+  const ClosedCells closed = gather_closed(*mesh_, coordinates, state);
   for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
     if (length_[cell] == 0) continue;
-    const auto place = middle(*mesh_, cell, coordinates);
-    double nearest = std::numeric_limits<double>::infinity();  // squared
-    std::size_t of = 0;
-    for (std::size_t i = 0; i < closed.size(); i += 2 * d) {
-      double square = 0;
-      for (int k = 0; k < d; ++k) square += (closed[i + k] - place[k]) * (closed[i + k] - place[k]);
-      if (square < nearest) {
-        nearest = square;
-        of = i;
-      }
-    }
+    const auto [nearest, square] = closed.nearest(middle(*mesh_, cell, coordinates));
     const double reach = settings_.beta * length_[cell] * (before.in_contact[cell] ? 1 + settings_.release_gap : 1);
-    state.in_contact[cell] = nearest <= reach * reach;
-    if (before.in_contact[cell] || of >= closed.size()) continue;
-    std::copy_n(closed.begin() + static_cast<std::ptrdiff_t>(of) + d, d,
-                state.normal.begin() + static_cast<std::ptrdiff_t>(cell) * d);
+    state.in_contact[cell] = square <= reach * reach;
+    if (before.in_contact[cell]) continue;
+    std::copy_n(closed.normals.begin() + static_cast<std::ptrdiff_t>(nearest) * d, d, state.normal.begin() + cell * d);
   }
   std::vector<double> width(length_.size());
   for (std::size_t cell = 0; cell < width.size(); ++cell) width[cell] = pocket_width * settings_.alpha * length_[cell];

@@ -28,10 +28,12 @@ struct ContactState {
   std::vector<double> normal;       ///< (cells, dimension) across the gap at closing, of cells in contact
 };
 
-/// How contact cells were loaded in a step; of owned cells, 0 in all others.
+/// How contact cells were loaded in a step; of owned cells.
 struct ContactLoad {
-  std::vector<double> normal_stress;  ///< [Pa] n·σ·n in excess of the fluid's, positive when pulled
-  std::vector<double> opening_rate;   ///< [1/s] n·∇v·n, positive when the walls move apart
+  std::vector<double> normal_stress;   ///< [Pa] n·σ·n, negative under pressure
+  std::vector<double> opening_rate;    ///< [1/s] n·∇v·n, positive when the walls move apart
+  std::vector<double> fluid_pressure;  ///< [Pa] of the fluid that a cell touches, NaN if it touches none
+  double lowest_fluid_pressure = 0;    ///< [Pa] around all contact cells
 };
 
 /// What contact is to be, and what that changes; counts are over all ranks.
@@ -45,11 +47,12 @@ struct ContactProposal {
 
 /// Finds where walls touch: the distance D of the fluid's points from its walls, the medial axis, and on it the gap
 /// between the walls. A cell of the axis closes where its gap falls below the smaller of 2 α h and half of the gap at
-/// rest (so that corners and narrow channels between rigid walls never close), and opens where it is pulled while its
-/// walls move apart, or where the gap has become wider than at closing by `release_gap`. One that has just opened
-/// closes again only when it is a tenth narrower than then, or has been apart. All cells near closed ones are in
-/// contact, and so are pockets that they cut off. Source: Degirmenci 2018, Algorithm 2, with the gap in place of D, and
-/// conditions to open, which it lacks.
+/// rest (so that corners and narrow channels between rigid walls never close). It opens, with the contact cells that
+/// are nearest to it, where they press less than the fluid would that they touch while the walls move apart (inside of
+/// a contact: than the lowest pressure around), or where the gap has become wider than at closing by `release_gap`. One
+/// that has just opened closes again only when it is a tenth narrower than then, or has been apart. All cells near
+/// closed ones are in contact, and so are pockets that they cut off. Source: Degirmenci 2018, Algorithm 2, with the gap
+/// in place of D, and conditions to open, which it lacks.
 class ContactSearch {
  public:
   /// mesh           at rest; must outlive the search
@@ -75,7 +78,9 @@ class ContactSearch {
 
  private:
   std::optional<WallDistance> measure(std::span<const double> coordinates, std::string& reason);
-  void open_and_close(const AxisGap& gaps, const ContactLoad& load, ContactProposal& proposal) const;
+  std::vector<char> find_parting(std::span<const double> coordinates, const ContactState& state,
+                                 const ContactLoad& load) const;
+  void open_and_close(const AxisGap& gaps, std::span<const char> is_parting, ContactProposal& proposal) const;
   void spread(const WallDistance& walls, std::span<const double> coordinates, const ContactState& before,
               ContactProposal& proposal) const;
 

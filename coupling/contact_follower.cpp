@@ -105,9 +105,8 @@ ContactFollower::Verdict ContactFollower::judge_step() {
   if (!search_.is_due(coordinates)) return {};
   ++report_.searches;
   const fsi::ContactLoad load = fsi::contact_load(flow_, state_.normal);
-  contact::ContactLoad excess{load.normal_stress, load.opening_rate};
-  for (double& stress : excess.normal_stress) stress += load.fluid_pressure;
-  proposal_ = search_.propose(coordinates, state_, excess);
+  proposal_ = search_.propose(coordinates, state_,
+                              {load.normal_stress, load.opening_rate, load.fluid_pressure, load.lowest_fluid_pressure});
   return {proposal_->depth < too_deep, proposal_->reason};
 }
 

@@ -78,8 +78,9 @@ void fill(const FsiSolver& solver, std::span<const double> normal, ContactLoad& 
   }
 }
 
-/// At the vertices of fluid cells that touch a contact cell, but not at those that they share: there it may jump.
-double lowest_pressure_around(const FsiSolver& solver) {
+/// Pressure of the fluid at contact cells: at those vertices of the fluid cells around that no contact cell has, for at
+/// the others it is the contact's own.
+void find_fluid_pressure(const FsiSolver& solver, ContactLoad& load) {
   const Continuum& continuum = solver.continuum();
   const mesh::Mesh& mesh = *continuum.mesh;
   std::vector<std::int32_t> is_contact(mesh.num_cells());
@@ -90,17 +91,32 @@ double lowest_pressure_around(const FsiSolver& solver) {
   const fem::Field& pressure = solver.assembly().fields().pressure();
   constexpr double none = std::numeric_limits<double>::infinity();
   double lowest = none;
+  fem::Load sums(continuum.vertex_space, 2);  // of pressures and their number, at vertices of contact cells
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     if (continuum.cell_solid[cell] >= 0) continue;
     const auto vertices = mesh.vertices_of(cell);
-    if (std::none_of(vertices.begin(), vertices.end(), [&](std::int32_t v) { return touches[v] != 0; })) continue;
     const auto dofs = continuum.pressure_space.dofs_of(cell);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      if (!touches[vertices[i]]) lowest = std::min(lowest, pressure.values[dofs[i]]);
+    for (const std::int32_t at : vertices) {
+      for (std::size_t i = 0; touches[at] && i < vertices.size(); ++i) {
+        if (touches[vertices[i]]) continue;
+        sums.values[2 * static_cast<std::size_t>(at)] += pressure.values[dofs[i]];
+        sums.values[2 * static_cast<std::size_t>(at) + 1] += 1;
+        lowest = std::min(lowest, pressure.values[dofs[i]]);
+      }
     }
   }
+  sums.add_to_owners();
+  continuum.vertex_space.halo.copy_to_ghosts(sums.values, 2);
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    double total = 0, count = 0;
+    for (const std::int32_t v : mesh.vertices_of(cell)) {
+      total += sums.values[2 * static_cast<std::size_t>(v)];
+      count += sums.values[2 * static_cast<std::size_t>(v) + 1];
+    }
+    if (is_contact[cell] && count > 0) load.fluid_pressure[cell] = total / count;
+  }
   lowest = base::smallest(mesh.comm, lowest);
-  return lowest < none ? lowest : 0;
+  load.lowest_fluid_pressure = lowest < none ? lowest : 0;
 }
 
 }  // namespace
@@ -113,7 +129,8 @@ ContactLoad contact_load(const FsiSolver& solver, std::span<const double> normal
   if (!continuum.batches.batches.empty() && continuum.contact >= 0) {
     with_element(continuum.velocity_space, [&]<int D, int Degree>() { fill<D, Degree>(solver, normal, load); });
   }
-  load.fluid_pressure = lowest_pressure_around(solver);
+  load.fluid_pressure.assign(continuum.mesh->num_cells(), std::numeric_limits<double>::quiet_NaN());
+  find_fluid_pressure(solver, load);
   return load;
 }
 
