@@ -37,7 +37,7 @@ class MeshFollower {
   const Continuum& continuum_;
   base::Timers& timers_;
   const Conditions& conditions_;
-  const FlowSettings& settings_;
+  FlowSettings settings_;
   std::optional<MeshMotion> linear_;
   std::unique_ptr<NonlinearSmoother> nonlinear_;  ///< null with the linear one alone
   fem::Field start_;
