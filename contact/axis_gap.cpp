@@ -1,5 +1,6 @@
 #include "contact/axis_gap.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -69,6 +70,7 @@ AxisGap axis_gap(const WallDistance& walls, std::span<const double> coordinates,
     double& gap = result.gap[cell];
     for (int i = 0; i <= d; ++i) {
       for (int j = 0; j <= i; ++j) {
+        if (std::max(corners[i].distance, corners[j].distance) >= walls.bound) continue;
         if (length(half(corners[i], corners[j], 1, d)) > gamma) continue;
         gap = gap_of_pair(corners[i], corners[j], d, gap, normal);
       }

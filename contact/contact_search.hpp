@@ -15,7 +15,7 @@ enum class DistanceMethod { direct, eikonal };
 struct ContactSettings {
   double alpha = 0.25;       ///< cells of the axis close where half the gap is below α h
   double beta = 1;           ///< with all cells of the fluid whose middle is within β h of theirs
-  double gamma = 0.5;        ///< |∇D| on the medial axis, see `medial_axis`
+  double gamma = 0.5;        ///< |∇D| on the medial axis, see `axis_gap`
   double release_gap = 0.2;  ///< cells open where the gap is wider by this share than it was at closing
   DistanceMethod distance = DistanceMethod::direct;
 };

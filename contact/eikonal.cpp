@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
@@ -18,6 +19,8 @@ std::vector<PetscInt> rows_of_cells(const la::SystemLayout& layout, const fem::S
   return rows;
 }
 
+double dot(const double* a, const double* b, int d) { return std::inner_product(a, a + d, b, 0.0); }
+
 double largest_of(const fem::Field& field) {
   double value = 0;
   for (std::int32_t i = 0; i < field.space->dofs.num_owned; ++i) value = std::max(value, std::abs(field.values[i]));
@@ -32,7 +35,7 @@ Eikonal::Eikonal(const fem::Space& space)
       solver_(la::create_linear_solver(space.mesh->comm, {.prefix = "eikonal_",
                                                           .method = KSPGMRES,
                                                           .preconditioner = PCBJACOBI,
-                                                          .relative_tolerance = 1e-10,
+                                                          .relative_tolerance = 1e-2,  // of a Newton step
                                                           .largest_iterations = 2000,
                                                           .start_from_given = false})) {}
 
@@ -55,7 +58,49 @@ void Eikonal::compute_cells(std::span<const double> coordinates) {
   }
 }
 
+/// Facets without a cell behind them, but for those in planes of symmetry. (On walls D is given: it does not matter.)
+void Eikonal::find_open_facets(std::span<const double> coordinates, std::span<const SymmetryPlane> planes) {
+  const mesh::Mesh& mesh = *space_->mesh;
+  const int n = mesh.dimension + 1;
+  is_open_.assign(static_cast<std::size_t>(mesh.num_cells()) * n, 0);
+  for (std::size_t f = 0; f < is_open_.size(); ++f) is_open_[f] = mesh.cell_neighbours[f] < 0;
+  for (const SymmetryPlane& plane : planes) {
+    const std::vector<char> on_plane = vertices_on_plane(mesh, coordinates, plane);
+    for (std::size_t f = 0; f < is_open_.size(); ++f) {
+      const auto vertices = mesh.vertices_of(static_cast<std::int32_t>(f / n));
+      bool lies_in_plane = true;
+      for (int i = 0; i < n; ++i)
+        lies_in_plane = lies_in_plane && (i == static_cast<int>(f % n) || on_plane[vertices[i]]);
+      if (lies_in_plane) is_open_[f] = 0;
+    }
+  }
+}
+
+/// ∇D in a cell, its direction and length, and the artificial viscosity [m]. Without a distance those of Poisson's
+/// equation: no slope, viscosity 1.
+Eikonal::CellState Eikonal::state_of(std::int32_t cell, const fem::Field* distance, double viscosity) const {
+  const int d = space_->mesh->dimension, n = d + 1;
+  CellState state;
+  if (!distance) return state;
+  const auto dofs = space_->dofs_of(cell);
+  const double* gradient = gradients_.data() + static_cast<std::size_t>(cell) * n * d;
+  for (int i = 0; i < n * d; ++i) state.slope[i % d] += distance->values[dofs[i / d]] * gradient[i];
+  state.length = std::sqrt(dot(state.slope.data(), state.slope.data(), d));
+  // Where D has no slope, in cells whose corners are all zero, any direction serves.
+  std::array<double, 3> direction = {1, 0, 0};
+  if (state.length > 1e-12) {
+    for (int k = 0; k < d; ++k) direction[k] = state.direction[k] = state.slope[k] / state.length;
+  }
+  double inverse = 0;  // of the cell's length
+  for (int i = 0; i < n; ++i) inverse += 0.5 * std::abs(dot(direction.data(), gradient + i * d, d));
+  state.viscosity = viscosity / inverse;
+  return state;
+}
+
 /// With a distance: Newton's matrix and minus the residual. Without: Poisson's equation with a source of one.
+///
+/// What leaves through an open facet F with D growing outwards, -∫_F ε (∂D/∂n)^+ q, is -measure ε (∇D·∇λ_F)^- for the
+/// q of each of its corners, λ_F being one at the corner opposite to it. It joins ∇q in `test`.
 void Eikonal::assemble(const fem::Field* distance, double viscosity, std::span<const char> is_zero,
                        Vec right_hand_side) {
   const mesh::Mesh& mesh = *space_->mesh;
@@ -65,34 +110,24 @@ void Eikonal::assemble(const fem::Field* distance, double viscosity, std::span<c
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     const auto dofs = space_->dofs_of(cell);
     if (dofs[0] < 0) continue;
+    const CellState state = state_of(cell, distance, viscosity);
     const double* gradient = gradients_.data() + static_cast<std::size_t>(cell) * n * d;
-    double slope[3] = {0, 0, 0}, length = 1, epsilon = 1;
-    if (distance) {
-      for (int i = 0; i < n * d; ++i) slope[i % d] += distance->values[dofs[i / d]] * gradient[i];
-      length = std::sqrt(slope[0] * slope[0] + slope[1] * slope[1] + slope[2] * slope[2]);
-      // Where D has no slope, in cells whose corners are all zero, any direction serves.
-      const double direction[3] = {length > 1e-12 ? slope[0] / length : 1.0, length > 1e-12 ? slope[1] / length : 0.0,
-                                   length > 1e-12 ? slope[2] / length : 0.0};
-      double inverse = 0;
-      for (int i = 0; i < n; ++i) {
-        double along = 0;
-        for (int k = 0; k < d; ++k) along += direction[k] * gradient[i * d + k];
-        inverse += 0.5 * std::abs(along);
-      }
-      epsilon = viscosity / inverse;
+    std::array<double, 12> test;
+    std::copy_n(gradient, n * d, test.begin());
+    for (int f = 0; f < n; ++f) {
+      if (!is_open_[static_cast<std::size_t>(cell) * n + f] || dot(state.slope.data(), gradient + f * d, d) >= 0)
+        continue;
+      for (int i = 0; i < n * d; ++i) test[i] += i / d == f ? 0.0 : gradient[f * d + i % d];
     }
-    const double mean = measures_[cell] / n;
+    const double mean = measures_[cell] / n, weight = measures_[cell] * state.viscosity;
     double* matrix = values_.data() + static_cast<std::size_t>(cell) * n * n;
-    for (int j = 0; j < n; ++j) {
-      double along = 0, by_slope = 0;
-      for (int k = 0; k < d; ++k) by_slope += slope[k] * gradient[j * d + k];
-      if (distance && length > 1e-12) along = by_slope / length;
-      for (int i = 0; i < n; ++i) {
-        double both = 0;
-        for (int k = 0; k < d; ++k) both += gradient[i * d + k] * gradient[j * d + k];
-        matrix[i * n + j] = mean * along + measures_[cell] * epsilon * both;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        matrix[i * n + j] = mean * dot(state.direction.data(), gradient + j * d, d) +
+                            weight * dot(test.data() + i * d, gradient + j * d, d);
       }
-      load.values[dofs[j]] -= distance ? mean * (length - 1) + measures_[cell] * epsilon * by_slope : -mean;
+      load.values[dofs[i]] -=
+          distance ? mean * (state.length - 1) + weight * dot(test.data() + i * d, state.slope.data(), d) : -mean;
     }
   }
   matrix_->assemble(values_);
@@ -143,16 +178,21 @@ void Eikonal::start(std::span<const char> is_zero, fem::Field& distance, Eikonal
 }
 
 EikonalReport Eikonal::solve(std::span<const double> coordinates, std::span<const char> is_zero,
-                             const EikonalSettings& settings, fem::Field& distance) {
+                             std::span<const SymmetryPlane> planes, const EikonalSettings& settings,
+                             fem::Field& distance) {
   space_->mesh->dimension == 2 ? compute_cells<2>(coordinates) : compute_cells<3>(coordinates);
+  find_open_facets(coordinates, planes);
   std::vector<PetscInt> constrained;
   for (std::int32_t i = 0; i < space_->dofs.num_owned; ++i) {
     if (!is_zero[i]) continue;
     constrained.push_back(i);
     distance.values[i] = 0;
   }
-  matrix_ = std::make_unique<la::AssembledMatrix>(layout_, rows_of_cells(layout_, *space_), space_->dofs_per_cell,
-                                                  constrained, true);
+  if (base::largest(layout_.comm(), !matrix_ || constrained != constrained_ ? 1 : 0)) {
+    matrix_ = std::make_unique<la::AssembledMatrix>(layout_, rows_of_cells(layout_, *space_), space_->dofs_per_cell,
+                                                    constrained, true);
+    constrained_ = constrained;
+  }
   EikonalReport report;
   distance.copy_to_ghosts();
   if (largest_of(distance) == 0) start(is_zero, distance, report);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "contact/walls.hpp"
 #include "core/fem/field.hpp"
 #include "core/la/assembled_matrix.hpp"
 #include "core/la/solve.hpp"
@@ -28,8 +30,9 @@ struct EikonalReport {
 ///
 ///   ∫ (|∇D| - 1) q + ε ∇D·∇q = 0 for all q,   D = 0 at the marked dofs,   ε = viscosity times the cell's length,
 ///
-/// by Newton's method (which for this convex equation is policy iteration). First order in the length of cells.
-/// Source: Degirmenci 2018, Algorithm 2, steps 2 and 5 (stabilised cG(1)).
+/// by Newton's method (which for this convex equation is policy iteration). First order in the length of cells. On
+/// planes of symmetry and where D falls outwards ∂D/∂n = 0; where it grows, the viscosity's flux leaves through the
+/// boundary, so that D keeps its slope there. Source: Degirmenci 2018, Algorithm 2, steps 2 and 5 (stabilised cG(1)).
 class Eikonal {
  public:
   /// `space` is P1 and must outlive the solver. Collective.
@@ -37,15 +40,22 @@ class Eikonal {
 
   /// coordinates  (vertices, dimension) [m], ghosts current
   /// is_zero      (dofs) where D = 0, ghosts current; at least one on some rank
+  /// planes       of symmetry, on the boundary
   /// distance     [m] on entry a starting guess, or all zero: then one is found from Poisson's equation (Tucker 2003,
   ///              J. Comput. Phys. 190, 229, eq. 8); on return the solution, ghosts current
   /// Collective.
   EikonalReport solve(std::span<const double> coordinates, std::span<const char> is_zero,
-                      const EikonalSettings& settings, fem::Field& distance);
+                      std::span<const SymmetryPlane> planes, const EikonalSettings& settings, fem::Field& distance);
 
  private:
+  struct CellState {
+    std::array<double, 3> slope = {0, 0, 0}, direction = {0, 0, 0};
+    double length = 0, viscosity = 1;
+  };
   template <int D>
   void compute_cells(std::span<const double> coordinates);
+  void find_open_facets(std::span<const double> coordinates, std::span<const SymmetryPlane> planes);
+  CellState state_of(std::int32_t cell, const fem::Field* distance, double viscosity) const;
   void assemble(const fem::Field* distance, double viscosity, std::span<const char> is_zero, Vec right_hand_side);
   void start(std::span<const char> is_zero, fem::Field& distance, EikonalReport& report);
   la::SolveReport solve_linear(Vec right_hand_side, fem::Field& solution);
@@ -54,7 +64,9 @@ class Eikonal {
   la::SystemLayout layout_;
   std::vector<double> gradients_;  ///< (cells, dimension + 1, dimension) [1/m]
   std::vector<double> measures_;   ///< (cells) [m^2, m^3]
+  std::vector<char> is_open_;      ///< (cells, dimension + 1)
   std::vector<double> values_;
+  std::vector<PetscInt> constrained_;  ///< owned positions where D = 0, in `matrix_`
   std::unique_ptr<la::AssembledMatrix> matrix_;
   la::PetscLinearSolver solver_;
 };

@@ -7,25 +7,25 @@
 #include <utility>
 
 #include "contact/nearest_facet.hpp"
-#include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
 
 namespace vocalis::contact {
 
 namespace {
 
-constexpr double kOnPlane = 1e-9;  ///< over the size of the scene, or over 1
-
 bool is_zero(const double* vector, int dimension) {
   return std::all_of(vector, vector + dimension, [](double value) { return value == 0; });
 }
 
-/// Means of ∇D over the cells around each dof, weighted by their measure, at the dofs where `direction` is still 0.
+/// Means of the directions of ∇D over the cells around each dof i from which the distance comes, weighted by their
+/// measure times (∇D·∇λ_i)^+, at the dofs where `direction` is still 0. A mean over all cells would be short one cell
+/// too early, and one of ∇D itself, which viscosity shortens, short in the corners of walls.
 template <int D>
-void add_mean_slopes(const fem::Field& distance, std::span<const double> coordinates, std::vector<double>& direction) {
+void add_mean_directions(const fem::Field& distance, std::span<const double> coordinates,
+                         std::vector<double>& direction) {
   const fem::Space& space = *distance.space;
   const mesh::Mesh& mesh = *space.mesh;
-  std::vector<double> sums(static_cast<std::size_t>(space.num_dofs()) * (D + 1), 0.0);  // measure x slope, measure
+  std::vector<double> sums(static_cast<std::size_t>(space.num_dofs()) * (D + 1), 0.0);  // weight x direction, weight
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     const auto dofs = space.dofs_of(cell);
     if (dofs[0] < 0) continue;
@@ -38,18 +38,22 @@ void add_mean_slopes(const fem::Field& distance, std::span<const double> coordin
     for (int i = 0; i <= D; ++i) {
       for (int k = 0; k < D; ++k) slope[k] += distance.values[dofs[i]] * geometry.gradient[i][k];
     }
-    for (const std::int32_t dof : dofs) {
-      double* sum = sums.data() + static_cast<std::size_t>(dof) * (D + 1);
-      for (int k = 0; k < D; ++k) sum[k] += geometry.measure * slope[k];
-      sum[D] += geometry.measure;
+    const double length = std::sqrt(std::inner_product(slope.begin(), slope.end(), slope.begin(), 0.0));
+    for (int i = 0; i <= D && length > 0; ++i) {
+      const auto& gradient = geometry.gradient[i];
+      const double growth = std::inner_product(slope.begin(), slope.end(), gradient.begin(), 0.0);
+      const double weight = geometry.measure * std::max(growth, 0.0);
+      double* sum = sums.data() + static_cast<std::size_t>(dofs[i]) * (D + 1);
+      for (int k = 0; k < D; ++k) sum[k] += weight * slope[k] / length;
+      sum[D] += weight;
     }
   }
   space.halo.add_to_owners(sums, D + 1);
   space.halo.copy_to_ghosts(sums, D + 1);
   for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
     double* here = direction.data() + static_cast<std::size_t>(dof) * D;
-    if (!is_zero(here, D)) continue;
     const double* sum = sums.data() + static_cast<std::size_t>(dof) * (D + 1);
+    if (!is_zero(here, D) || sum[D] == 0) continue;
     for (int k = 0; k < D; ++k) here[k] = sum[k] / sum[D];
   }
 }
@@ -60,19 +64,17 @@ void take_mean_on_planes(std::span<const double> coordinates, std::span<const Sy
                          WallDistance& walls) {
   const fem::Space& space = *walls.distance.space;
   const int d = space.mesh->dimension;
-  double size = 0;
-  for (const double value : coordinates) size = std::max(size, std::abs(value));
-  const double tolerance = kOnPlane * base::largest(space.mesh->comm, size);
   for (const SymmetryPlane& plane : planes) {
+    const std::vector<char> on_plane = vertices_on_plane(*space.mesh, coordinates, plane);
     for (std::int32_t dof = 0; dof < space.dofs.num_owned; ++dof) {
-      const double place = coordinates[static_cast<std::size_t>(space.dof_vertex[dof]) * d + plane.axis];
-      if (std::abs(place - plane.position) > tolerance) continue;
+      if (!on_plane[space.dof_vertex[dof]]) continue;
       double* direction = walls.direction.data() + static_cast<std::size_t>(dof) * d;
       const double across = std::exchange(direction[plane.axis], 0.0);
       if (walls.distance.values[dof] > 0) continue;
       const double length = std::sqrt(std::inner_product(direction, direction + d, direction, 0.0));
-      if (length <= kOnPlane) direction[plane.axis] = across;
-      for (int k = 0; k < d && length > kOnPlane; ++k) direction[k] /= length;
+      const bool lies_in_plane = length <= 1e-9;
+      if (lies_in_plane) direction[plane.axis] = across;
+      for (int k = 0; k < d && !lies_in_plane; ++k) direction[k] /= length;
     }
   }
   space.halo.copy_to_ghosts(walls.direction, d);
@@ -110,9 +112,9 @@ WallDistance eikonal_distance(Eikonal& eikonal, const fem::Space& space, std::sp
   for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
     on_wall[dof] = !is_zero(result.direction.data() + static_cast<std::size_t>(dof) * d, d);
   }
-  report = eikonal.solve(coordinates, on_wall, settings, result.distance);
-  d == 2 ? add_mean_slopes<2>(result.distance, coordinates, result.direction)
-         : add_mean_slopes<3>(result.distance, coordinates, result.direction);
+  report = eikonal.solve(coordinates, on_wall, planes, settings, result.distance);
+  d == 2 ? add_mean_directions<2>(result.distance, coordinates, result.direction)
+         : add_mean_directions<3>(result.distance, coordinates, result.direction);
   take_mean_on_planes(coordinates, planes, result);
   return result;
 }

@@ -17,7 +17,7 @@ namespace vocalis::contact {
 struct WallDistance {
   fem::Field distance;            ///< D [m], P1 on the fluid's cells, 0 on the walls; ghosts current
   std::vector<double> direction;  ///< (dofs, dimension) ∇D: away from the nearest wall, on a wall its normal; ghosts
-                                  ///< current. Exact ones have length one, those of the PDE less near a medial axis
+                                  ///< current. Exact ones have length one, those of the PDE less on a medial axis
   double bound = std::numeric_limits<double>::infinity();  ///< what is not nearer has D = bound, direction 0 [m]
 };
 
@@ -32,8 +32,7 @@ struct WallDistance {
 WallDistance direct_distance(const fem::Space& space, std::span<const mesh::NamedFacet> facets,
                              std::span<const double> coordinates, std::span<const SymmetryPlane> planes, double bound);
 
-/// From the Eikonal equation, beginning with `guess` [m] (empty: none). On a plane of symmetry, and on every other
-/// boundary that is no wall, D has no slope: ε ∂D/∂n = 0.
+/// From the Eikonal equation, beginning with `guess` [m] (empty: none).
 /// Collective.
 WallDistance eikonal_distance(Eikonal& eikonal, const fem::Space& space, std::span<const mesh::NamedFacet> facets,
                               std::span<const double> coordinates, std::span<const SymmetryPlane> planes,

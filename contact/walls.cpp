@@ -54,6 +54,19 @@ void add_mirror_images(Walls& walls, const SymmetryPlane& plane) {
 
 }  // namespace
 
+std::vector<char> vertices_on_plane(const mesh::Mesh& mesh, std::span<const double> coordinates,
+                                    const SymmetryPlane& plane) {
+  double size = 0;
+  for (const double value : coordinates) size = std::max(size, std::abs(value));
+  const double tolerance = 1e-9 * base::largest(mesh.comm, size);
+  std::vector<char> marks(mesh.num_vertices());
+  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+    const double place = coordinates[static_cast<std::size_t>(v) * mesh.dimension + plane.axis];
+    marks[v] = std::abs(place - plane.position) <= tolerance;
+  }
+  return marks;
+}
+
 std::vector<mesh::NamedFacet> wall_facets(const mesh::Mesh& mesh, std::span<const char> cell_is_fluid,
                                           std::span<const std::int32_t> wall_groups) {
   const int corners = mesh.dimension + 1;

@@ -22,6 +22,12 @@ struct SymmetryPlane {
   double position = 0;  ///< [m]
 };
 
+/// Whether each local vertex lies on the plane, to 1e-9 of the size of the scene. Collective.
+///
+/// coordinates  (vertices, dimension) [m], ghosts current
+std::vector<char> vertices_on_plane(const mesh::Mesh& mesh, std::span<const double> coordinates,
+                                    const SymmetryPlane& plane);
+
 /// The facets of fluid cells towards solid ones, and those of fluid cells in the named groups (rigid walls).
 ///
 /// cell_is_fluid  (local cells, ghosts current)
