@@ -8,9 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "acoustic_solver/explicit_step.hpp"
-#include "acoustic_solver/implicit_step.hpp"
-#include "acoustic_solver/wave_operator.hpp"
+#include "acoustic_solver/discretisation.hpp"
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 
@@ -67,42 +65,6 @@ void check(const AcousticSettings& settings) {
 
 }  // namespace
 
-struct AcousticSolver::Discretisation {
-  Discretisation(const mesh::Mesh& on, const AcousticSettings& given)
-      : mesh(&on),
-        settings(given),
-        space(fem::lagrange(on, 1)),
-        wave(on, space, given),
-        layers(on, given),
-        walls(on, wave),
-        leap_frog(on, space, wave, given.density) {}
-
-  ImplicitStep& implicit() {
-    if (!theta_scheme) theta_scheme = std::make_unique<ImplicitStep>(*mesh, space, wave, layers, walls, settings);
-    return *theta_scheme;
-  }
-  void drop() {
-    if (theta_scheme) theta_scheme->drop();
-    leap_frog.drop();
-    bound_standing_still = 0;
-  }
-  /// A bound of the explicit integrator's stable step [s] on the present geometry.
-  double bound() {
-    if (bound_standing_still == 0) bound_standing_still = leap_frog.stable_step(true);
-    return bound_standing_still;
-  }
-
-  const mesh::Mesh* mesh;
-  AcousticSettings settings;
-  fem::Space space;
-  WaveOperator wave;
-  Layers layers;
-  YieldingWalls walls;
-  ExplicitStep leap_frog;
-  std::unique_ptr<ImplicitStep> theta_scheme;  ///< once it is needed
-  double bound_standing_still = 0;             ///< [s]; 0: not known
-};
-
 AcousticSolver::AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& settings) : settings_(settings) {
   check(settings_);
   discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
@@ -125,17 +87,6 @@ void AcousticSolver::set_state(State state) {
 }
 
 void AcousticSolver::drop_caches() { discretisation_->drop(); }
-
-void AcousticSolver::adopt(const mesh::Mesh& mesh, State carried) {
-  discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
-  assert(carried.p.size() == static_cast<std::size_t>(mesh.num_vertices()));
-  state_ = std::move(carried);
-  state_.layer_flux.clear();
-  state_.layer_integral.clear();
-  state_.wall_motion.clear();
-  discretisation_->layers.prepare(state_);
-  discretisation_->walls.prepare(state_);
-}
 
 const fem::Space& AcousticSolver::space() const { return discretisation_->space; }
 

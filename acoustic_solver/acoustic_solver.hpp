@@ -11,6 +11,7 @@
 #include "acoustic_solver/state.hpp"
 #include "core/fem/field.hpp"
 #include "core/fem/space.hpp"
+#include "transfer/strip.hpp"
 
 namespace vocalis::acoustic {
 
@@ -25,6 +26,11 @@ struct Source {
   const fem::Load* begin = nullptr;    ///< at the beginning of the advance, summed to the owners [m^3/s;
   const fem::Load* end = nullptr;      ///< m^2/s in two dimensions]; linear in between. Both or none.
   std::function<double(double)> flux;  ///< g(t) [m/s] into the air through the boundaries of kind `flux`
+};
+
+/// What going on with another mesh did to the energy, see `AcousticSolver::energy`.
+struct Adoption {
+  double energy_before = 0, energy_after = 0;  ///< [J; J/m in two dimensions]
 };
 
 /// Sound on a mesh that may move: pressure p and velocity potential ψ (u = -∇ψ), both P1,
@@ -56,9 +62,12 @@ class AcousticSolver {
   void set_state(State state);
   /// Forgets matrices and preconditioner: what follows depends on the state alone, to the last bit.
   void drop_caches();
-  /// Goes on with another mesh, of other cells, and the state carried to its vertices. φ and w of layers, which belong
-  /// to the cells before, begin at 0 again, and walls that yield at rest. Collective.
-  void adopt(const mesh::Mesh& mesh, State carried);
+  /// Goes on with another strip of the same parent, each mesh at its present coordinates. All that cells of both
+  /// and their vertices have is carried to the last bit, histories of layers and walls too. What has opened begins with
+  /// the mean of its neighbours' p, walls there at rest, and the velocity of least energy (`join_pockets`). `after`
+  /// must outlive the solver; integrators are made anew. Throws UserError if a cell of an absorbing layer is gone.
+  /// Collective.
+  Adoption adopt(const mesh::Mesh& parent, const transfer::StrippedMesh& before, const transfer::StrippedMesh& after);
 
   const AcousticSettings& settings() const { return settings_; }
   const fem::Space& space() const;

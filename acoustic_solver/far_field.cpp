@@ -176,6 +176,13 @@ void FarField::require_still(const mesh::Mesh& mesh, std::span<const double> coo
                   "choose a surface in the air that does not follow the folds");
 }
 
+void FarField::renumber(std::span<const std::int32_t> vertex_there) {
+  for (std::int32_t& v : surface_.skin) {
+    v = vertex_there[v];
+    assert(v >= 0);
+  }
+}
+
 void FarField::set_state(State state) {
   assert(state.clock.size() == state_.clock.size() && state.pressures.size() == state_.pressures.size() &&
          state.sums.size() == state_.sums.size());

@@ -56,6 +56,11 @@ class FarField {
   /// Throws UserError if a vertex of the surface's skin is elsewhere than when the surface was made. Collective.
   void require_still(const mesh::Mesh& mesh, std::span<const double> coordinates) const;
 
+  /// The mesh is another one, with all cells along the surface, at the same places.
+  ///
+  /// vertex_there  (vertices of the mesh before) the number there, or -1
+  void renumber(std::span<const std::int32_t> vertex_there);
+
   /// (vertices of the cells along the surface on this rank, 3) [m]
   std::span<const double> skin_points() const { return skin_points_; }
 

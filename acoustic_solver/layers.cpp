@@ -87,6 +87,32 @@ void Layers::prepare(State& state) const {
   if (state.layer_integral.size() != vertices) state.layer_integral.assign(vertices, 0.0);
 }
 
+std::vector<double> Layers::flux_of_cells(const State& state) const {
+  const int d = mesh_->dimension;
+  std::vector<double> of_cells(static_cast<std::size_t>(mesh_->num_cells()) * d, 0.0);
+  const double* flux = state.layer_flux.data();
+  for (const Cell& cell : cells_) {
+    std::copy_n(flux, d, of_cells.begin() + static_cast<std::ptrdiff_t>(cell.cell) * d);
+    flux += d;
+  }
+  return of_cells;
+}
+
+void Layers::take_flux(std::span<const double> of_cells, State& state) const {
+  const int d = mesh_->dimension;
+  state.layer_flux.clear();
+  for (const Cell& cell : cells_) {
+    const auto flux = of_cells.begin() + static_cast<std::ptrdiff_t>(cell.cell) * d;
+    state.layer_flux.insert(state.layer_flux.end(), flux, flux + d);
+  }
+}
+
+std::vector<std::int32_t> Layers::damped_cells() const {
+  std::vector<std::int32_t> marks(mesh_->num_cells(), 0);
+  for (const Cell& cell : cells_) marks[cell.cell] = 1;
+  return marks;
+}
+
 bool Layers::stand_still(std::span<const double> velocity) const {
   const int d = mesh_->dimension;
   const bool moves = std::any_of(cells_.begin(), cells_.end(), [&](const Cell& cell) {

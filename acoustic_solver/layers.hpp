@@ -36,8 +36,19 @@ class Layers {
   /// Whether there are any, on every rank alike.
   bool exist() const { return !sides_.empty(); }
 
+  /// Whether w has an effect, on every rank alike.
+  bool has_integral() const { return needs_integral_; }
+
   /// Gives φ and w their sizes, and 0 where they have another one.
   void prepare(State& state) const;
+
+  /// φ of each of this rank's cells, (cells, dimension), 0 outside of the layers; and back. For cells that get other
+  /// numbers.
+  std::vector<double> flux_of_cells(const State& state) const;
+  void take_flux(std::span<const double> of_cells, State& state) const;
+
+  /// Whether each of this rank's cells is damped.
+  std::vector<std::int32_t> damped_cells() const;
 
   /// Whether no vertex of a layer's cell has a velocity, on any rank. Collective.
   bool stand_still(std::span<const double> velocity) const;

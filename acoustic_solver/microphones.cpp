@@ -96,6 +96,11 @@ void Microphones::follow(const mesh::Mesh& mesh, bool is_other_mesh) {
   }
 }
 
+void Microphones::adopt(const mesh::Mesh& mesh, std::span<const std::int32_t> vertex_there) {
+  for (FarField& far : far_fields_) far.renumber(vertex_there);
+  follow(mesh, true);
+}
+
 Microphones::Block Microphones::collect() {
   Block block;
   const bool root = base::rank(mesh_->comm) == 0;

@@ -52,6 +52,12 @@ class Microphones {
   /// and a microphone that its cell has left behind finds its new one. Surfaces of far fields stay. Collective.
   void follow(const mesh::Mesh& mesh, bool is_other_mesh = false);
 
+  /// Goes on with another mesh, which has all cells along the surfaces of far fields. A microphone that none of its
+  /// cells contains records silence. Collective.
+  ///
+  /// vertex_there  (vertices of the mesh before) the number there, or -1
+  void adopt(const mesh::Mesh& mesh, std::span<const std::int32_t> vertex_there);
+
   /// The samples since the last time, on rank 0; on the others empty. Collective.
   Block collect();
 

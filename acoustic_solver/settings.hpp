@@ -68,6 +68,12 @@ struct AbsorbingLayer {
   bool may_grow = false;     ///< take thin layers along two of three axes too: good for short times only
 };
 
+/// What cells of the flow that have become solid in a contact are to the sound.
+enum class ContactCells {
+  keep,  ///< air, as before
+  strip  ///< no part of the air: what is behind them is not heard
+};
+
 /// One acoustic solver: its medium, boundaries and step.
 struct AcousticSettings {
   std::string name = "sound";
@@ -82,6 +88,7 @@ struct AcousticSettings {
   double source_fade_in = 0;       ///< [s] over which the analogy's source rises
   VelocityElements velocity_elements = VelocityElements::p0;
   double subscale_constant = 0.02;  ///< C [-] of the subscales' time τ = C h / c
+  ContactCells contact_cells = ContactCells::strip;
   std::vector<AcousticBoundary> boundaries;
   std::vector<AbsorbingLayer> layers;
 };

@@ -1,5 +1,6 @@
 #include "acoustic_solver/yielding_walls.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "core/base/mpi.hpp"
@@ -35,6 +36,50 @@ void YieldingWalls::for_each_facet(const Function& function) const {
 
 void YieldingWalls::prepare(State& state) const {
   if (state.wall_motion.size() != num_numbers_) state.wall_motion.assign(num_numbers_, 0.0);
+}
+
+int YieldingWalls::numbers_a_vertex() const {
+  std::size_t count = 0;
+  for (const Wall& wall : walls_) count += 2 * wall.branches.size();
+  return static_cast<int>(count);
+}
+
+std::vector<double> YieldingWalls::motion_of_vertices(const State& state) const {
+  const int n = numbers_a_vertex(), here = base::rank(mesh_->comm);
+  std::vector<double> of_vertices(static_cast<std::size_t>(mesh_->num_vertices()) * n, 0.0);
+  int column = 0;
+  for (const Wall& wall : walls_) {
+    // One rank gives the motion at a vertex, the lowest with a facet there: the sum has one term and is exact.
+    std::vector<std::int32_t> giver(mesh_->num_vertices(), base::size(mesh_->comm));
+    for (const std::int32_t v : wall.vertices) giver[v] = here;
+    mesh_->vertex_halo.min_to_owners(giver);
+    mesh_->vertex_halo.copy_to_ghosts(giver);
+    const double* motion = state.wall_motion.data() + wall.first;
+    for (std::size_t b = 0; b < wall.branches.size(); ++b, column += 2) {
+      for (const std::int32_t v : wall.vertices) {
+        if (giver[v] == here) std::copy_n(motion, 2, of_vertices.begin() + static_cast<std::ptrdiff_t>(v) * n + column);
+        motion += 2;
+      }
+    }
+  }
+  mesh_->vertex_halo.add_to_owners(of_vertices, n);
+  mesh_->vertex_halo.copy_to_ghosts(of_vertices, n);
+  return of_vertices;
+}
+
+void YieldingWalls::take_motion(std::span<const double> of_vertices, State& state) const {
+  const int n = numbers_a_vertex();
+  prepare(state);
+  int column = 0;
+  for (const Wall& wall : walls_) {
+    double* motion = state.wall_motion.data() + wall.first;
+    for (std::size_t b = 0; b < wall.branches.size(); ++b, column += 2) {
+      for (const std::int32_t v : wall.vertices) {
+        std::copy_n(of_vertices.begin() + static_cast<std::ptrdiff_t>(v) * n + column, 2, motion);
+        motion += 2;
+      }
+    }
+  }
 }
 
 double YieldingWalls::branch_velocity(const WallBranch& branch, double beta, double pressure, const double* motion) {

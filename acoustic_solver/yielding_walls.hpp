@@ -25,6 +25,12 @@ class YieldingWalls {
   /// Gives the motion its size, and puts the walls at rest where it has another one.
   void prepare(State& state) const;
 
+  /// The motion of all walls at the vertices, (vertices, `numbers_a_vertex`), ghosts current, 0 off the walls; and
+  /// back. For vertices that get other numbers. The first is collective.
+  std::vector<double> motion_of_vertices(const State& state) const;
+  void take_motion(std::span<const double> of_vertices, State& state) const;
+  int numbers_a_vertex() const;
+
   /// Adds -<ẇ, q> of the θ-point, where `pressure` is given and w follows from its value in `state`, that at the
   /// beginning of the step. beta = θ dt [s]. Sums over this rank's facets: the caller adds them to the owners.
   void add_forces(double beta, std::span<const double> pressure, const State& state, std::span<double> sums) const;

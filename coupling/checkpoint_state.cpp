@@ -54,17 +54,6 @@ void for_each_acoustic_array(State& state, const std::string& name, const Functi
     function(name + ".earlier" + std::to_string(i), state.earlier[i]);
 }
 
-std::vector<double> numbers_of(const ContactReport& report) {
-  return {report.searches,          report.closings,           report.closed_steps, report.repeated_steps,
-          report.energy_lost,       report.most_closed,        report.seconds_open, report.seconds_closed,
-          report.step_seconds_open, report.step_seconds_closed};
-}
-
-ContactReport report_of(const std::vector<double>& numbers) {
-  return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4],
-          numbers[5], numbers[6], numbers[7], numbers[8], numbers[9]};
-}
-
 /// What far-field microphones of a voice are still to hear; the names end in the number of the surface.
 template <class State, class Function>
 void for_each_far_field_array(State& state, const std::string& name, const Function& function) {
@@ -111,11 +100,15 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
   }
   if (const ContactFollower* contact = simulation.contact()) {
     for_each_contact_array(contact->state(), add);
-    add("contact.report", on_rank_0(comm, numbers_of(contact->report())));
+    const ContactReport& report = contact->report();
+    add("contact.report", on_rank_0(comm, {report.searches, report.closings, report.closed_steps, report.repeated_steps,
+                                           report.energy_lost, report.most_closed}));
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const acoustic::State& state = simulation.voices()[i]->solver().state();
-    add(acoustic_name(i) + ".times", on_rank_0(comm, {state.time, static_cast<double>(state.earlier.size())}));
+    const Rebuilds& rebuilds = simulation.voices()[i]->rebuilds();
+    add(acoustic_name(i) + ".times", on_rank_0(comm, {state.time, static_cast<double>(state.earlier.size()),
+                                                      static_cast<double>(rebuilds.count), rebuilds.energy_lost}));
     for_each_acoustic_array(state, acoustic_name(i), add);
     const auto& far_fields = simulation.voices()[i]->microphones().far_fields();
     for (std::size_t f = 0; f < far_fields.size(); ++f) {
@@ -152,10 +145,12 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     values.assign(stored.begin(), stored.end());
   };
   const std::vector<double> times = numbers("clock");
-  if (times.size() != 9) {
-    throw base::UserError("the checkpoint must be of this version of Vocalis: " + path, "another version's clock",
+  const auto require_version = [&path](bool is_ours, const std::string& words) {
+    if (is_ours) return;
+    throw base::UserError("the checkpoint must be of this version of Vocalis: " + path, "another version's " + words,
                           "run the case again");
-  }
+  };
+  require_version(times.size() == 9, "clock");
   Clock clock = simulation.clock();
   clock.time = times[0];
   clock.step = static_cast<long>(times[1]);
@@ -180,12 +175,16 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
   if (ContactFollower* contact = simulation.contact()) {
     contact::ContactState state = contact->state();
     for_each_contact_array(state, read);
-    contact->set_state(state, report_of(numbers("contact.report")));
+    const std::vector<double> report = numbers("contact.report");
+    contact->set_state(state, {report[0], report[1], report[2], report[3], report[4], report[5]});
+    simulation.follow_contact();  // voices' arrays lie on the air of now
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     acoustic::State state = simulation.voices()[i]->solver().state();
     const std::vector<double> acoustic_times = numbers(acoustic_name(i) + ".times");
+    require_version(acoustic_times.size() == 4, "sound");
     state.time = acoustic_times[0];
+    simulation.voices()[i]->set_rebuilds({static_cast<long>(acoustic_times[2]), acoustic_times[3]});
     state.earlier.assign(static_cast<std::size_t>(acoustic_times[1]), std::vector<double>(state.p.size()));
     for_each_acoustic_array(state, acoustic_name(i), read);
     simulation.voices()[i]->solver().set_state(std::move(state));

@@ -1,5 +1,7 @@
 #include "coupling/flow_history.hpp"
 
+#include "core/mesh/facets.hpp"
+
 namespace vocalis::coupling {
 
 FlowHistory::FlowHistory(const Scene& scene, const fsi::FsiSolver& flow)
@@ -16,6 +18,7 @@ FlowHistory::FlowHistory(const Scene& scene, const fsi::FsiSolver& flow)
     const auto vertices = scene.flow->mesh.vertices_of(cell);
     for (std::size_t i = 0; i < vertices.size(); ++i) vertex_to_pressure_[vertices[i]] = dofs[i];
   }
+  cell_emits_ = cell_is_fluid_;
   begin_step();
 }
 
@@ -38,6 +41,20 @@ void FlowHistory::begin_step() {
   pressure_begin_ = vertex_pressure();
   velocity_begin_ = flow_.velocity_at_vertices().values;
   displacement_begin_ = displacement_end();
+  if (flow_.settings().contact) leave_out_contact();
+}
+
+void FlowHistory::leave_out_contact() {
+  std::vector<std::int32_t> is_contact(cell_is_fluid_.size(), 0);
+  for (const std::span<const char> marks :
+       {std::span<const char>(contact_before_), std::span<const char>(flow_.state().in_contact)}) {
+    for (std::size_t cell = 0; cell < marks.size(); ++cell) is_contact[cell] |= marks[cell] != 0;
+  }
+  cell_emits_ = cell_is_fluid_;
+  for (std::size_t cell = 0; cell < is_contact.size(); ++cell) {
+    if (is_contact[cell]) cell_emits_[cell] = 0;
+  }
+  vertex_is_silent_ = mesh::mark_vertices_of_cells(scene_.flow->mesh, is_contact);
 }
 
 FlowView FlowHistory::view() const {
@@ -46,7 +63,8 @@ FlowView FlowHistory::view() const {
   view.space = &space_;
   view.time_begin = time_begin_;
   view.time_end = flow_.state().time;
-  view.cell_is_fluid = cell_is_fluid_;
+  view.cell_is_fluid = cell_emits_;
+  view.vertex_is_silent = vertex_is_silent_;
   view.outlet = outlet_;
   view.pressure_begin = pressure_begin_;
   view.pressure_end = vertex_pressure();

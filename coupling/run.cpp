@@ -1,5 +1,6 @@
 #include "coupling/run.hpp"
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -8,7 +9,6 @@
 #include "core/base/first_rank.hpp"
 #include "core/base/log.hpp"
 #include "core/base/mpi.hpp"
-#include "core/base/stopwatch.hpp"
 #include "coupling/checkpoint_state.hpp"
 #include "coupling/run_folder.hpp"
 #include "coupling/sound_table.hpp"
@@ -19,6 +19,14 @@ namespace vocalis::coupling {
 namespace {
 
 constexpr int finished_code = 0, failed_code = 3;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 std::string checkpoint_path(const std::string& folder) {
   return (std::filesystem::path(folder) / "checkpoint.h5").string();
@@ -58,15 +66,20 @@ std::vector<base::Timers::Phase> flow_phases(std::vector<base::Timers::Phase> ph
 }
 
 std::map<std::string, double> figures_of(const ContactReport& report) {
-  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
-  return {{"searches", report.searches},
-          {"closings", report.closings},
-          {"closed_steps", report.closed_steps},
-          {"repeated_steps", report.repeated_steps},
-          {"energy_lost_J", report.energy_lost},
-          {"most_closed_cells", report.most_closed},
-          {"share_of_open_steps", share(report.seconds_open, report.step_seconds_open)},
-          {"share_of_closed_steps", share(report.seconds_closed, report.step_seconds_closed)}};
+  return {{"searches", report.searches},         {"closings", report.closings},
+          {"closed_steps", report.closed_steps}, {"repeated_steps", report.repeated_steps},
+          {"energy_lost_J", report.energy_lost}, {"most_closed_cells", report.most_closed}};
+}
+
+/// What stripping the air anew did to the sound of each voice.
+void add_rebuilds(const Case& config, Simulation& simulation, Figures& figures) {
+  for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
+    if (config.acoustics[i].contact_cells == acoustic::ContactCells::keep) continue;
+    const std::string suffix = config.acoustics.size() > 1 ? "." + config.acoustics[i].name : "";
+    const Rebuilds& rebuilds = simulation.voices()[i]->rebuilds();
+    figures.values["acoustic_rebuilds" + suffix] = static_cast<double>(rebuilds.count);
+    figures.values["acoustic_energy_lost_J" + suffix] = rebuilds.energy_lost;
+  }
 }
 
 /// One run from its present state to the end of the case or of its budget of steps.
@@ -136,7 +149,8 @@ class Run {
     if (const ContactFollower* contact = simulation_->contact()) facts_.contact = figures_of(contact->report());
     facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());
     base::on_first_rank(comm_, [&] {
-      const Figures figures = evaluate_run(config_, folder_);
+      Figures figures = evaluate_run(config_, folder_);
+      if (simulation_->contact()) add_rebuilds(config_, *simulation_, figures);
       write_summary((std::filesystem::path(folder_) / "summary.json").string(), config_, facts_, figures);
       print_table(log_, config_, facts_, figures);
     });
@@ -146,7 +160,7 @@ class Run {
   MPI_Comm comm_;
   const Case& config_;
   std::string folder_;
-  base::Stopwatch watch_;
+  Stopwatch watch_;
   base::Log log_;
   base::Timers timers_;
   std::unique_ptr<Scene> scene_;

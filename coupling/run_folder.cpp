@@ -144,7 +144,6 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
       flow_to_parent_.emplace(transfer::SharedVertices::to_parent(scene.parent, *scene.flow));
       vertex_is_wet_ = mesh::mark_vertices_of_cells(scene.flow->mesh, fluid_cells(scene));
     }
-    if (scene.acoustic) acoustic_to_parent_.emplace(transfer::SharedVertices::to_parent(scene.parent, *scene.acoustic));
     fields_ =
         std::make_unique<io::FieldsWriter>(goes_on ? io::FieldsWriter::resume(comm, folder, scene.parent, clock.step)
                                                    : io::FieldsWriter(comm, folder, scene.parent));
@@ -210,8 +209,9 @@ void RunOutput::write_fields(Simulation& simulation) {
     add("pressure", *flow_to_parent_, pressure);
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
-    add(i == 0 ? "acoustic_pressure" : "acoustic_pressure_" + config_.acoustics[i].name, *acoustic_to_parent_,
-        simulation.voices()[i]->solver().pressure());
+    const Voice& voice = *simulation.voices()[i];
+    add(i == 0 ? "acoustic_pressure" : "acoustic_pressure_" + config_.acoustics[i].name,
+        transfer::SharedVertices::to_parent(scene_.parent, voice.air()), voice.solver().pressure());
   }
   std::vector<io::NamedValues> values;
   for (std::size_t i = 0; i < fields.size(); ++i) values.push_back({names[i], fields[i].components, fields[i].values});

@@ -37,7 +37,7 @@ class RunOutput {
   std::vector<std::unique_ptr<io::SeriesWriter>> microphones_;
   std::unique_ptr<io::FieldsWriter> fields_;
   fem::Space parent_space_;  ///< this and what follows: for the fields
-  std::optional<transfer::SharedVertices> flow_to_parent_, acoustic_to_parent_;
+  std::optional<transfer::SharedVertices> flow_to_parent_;
   std::vector<std::int32_t> vertex_is_wet_;  ///< of the flow mesh
 };
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/stopwatch.hpp"
-
 namespace vocalis::coupling {
 
 Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) : scene_(scene), timers_(timers) {
@@ -26,20 +24,19 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
 }
 
 StepOutcome Simulation::step() {
-  const base::Stopwatch watch;
   StepOutcome outcome = flow_ ? step_flow() : StepOutcome{.failure = "", .dt = clock_.dt()};
   if (!outcome.failure.empty()) return outcome;
   step_voices(outcome.dt, outcome);
+  if (history_) history_->end_step();
   if (outcome.failure.empty()) clock_.advance(outcome.dt, outcome.local_error);
-  if (contact_) contact_->count_step(watch.seconds());
   return outcome;
 }
 
 StepOutcome Simulation::step_flow() {
   StepOutcome outcome;
   if (contact_) {
-    const auto scope = timers_.scope("contact");
-    contact_->begin_step();
+    begin_contact();
+    follow_contact();
   }
   history_->begin_step();
   while (!try_flow_step(outcome)) {
@@ -49,6 +46,11 @@ StepOutcome Simulation::step_flow() {
   if (contact_) contact_->accept();
   monitors_->follow_step();
   return outcome;
+}
+
+void Simulation::begin_contact() {
+  const auto scope = timers_.scope("contact");
+  contact_->begin_step();
 }
 
 /// Whether the step may be accepted; if not, dt has become smaller, or the failure is told.
@@ -97,6 +99,11 @@ void Simulation::step_voices(double dt, StepOutcome& outcome) {
   }
 }
 
+void Simulation::follow_contact() {
+  const auto scope = timers_.scope("transfer");
+  for (auto& voice : voices_) voice->follow_contact(flow_->state().in_contact, history_->displacement_end());
+}
+
 std::vector<double> Simulation::monitor_values() const {
   if (!monitors_) return {};
   return monitors_->evaluate();
@@ -110,6 +117,7 @@ void Simulation::drop_caches() {
 
 void Simulation::restart_from_states() {
   if (history_) {
+    history_->end_step();
     history_->begin_step();
     for (auto& voice : voices_) voice->move_to(history_->displacement_begin());
   }

@@ -52,10 +52,14 @@ class Simulation {
   /// After this the future depends on the states alone, to the last bit: called at every scheduled checkpoint, in runs
   /// that are never stopped, too.
   void drop_caches();
+  /// Lets the voices follow the flow's cells in contact: when these may have changed, and before the states of voices
+  /// are replaced. Collective.
+  void follow_contact();
   /// After the states were replaced by those of a checkpoint.
   void restart_from_states();
 
  private:
+  void begin_contact();
   StepOutcome step_flow();
   bool try_flow_step(StepOutcome& outcome);
   void step_voices(double dt, StepOutcome& outcome);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "acoustic_solver/layer_profile.hpp"
 #include "core/base/error.hpp"
@@ -12,16 +13,6 @@
 namespace vocalis::coupling {
 
 namespace {
-
-std::vector<std::int32_t> cells_with_flow(const Scene& scene) {
-  const mesh::Mesh& mesh = scene.acoustic->mesh;
-  std::vector<std::int32_t> result(mesh.num_cells(), 0);
-  if (!scene.flow) return result;
-  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
-    result[cell] = scene.kind_of_region[mesh.cell_region[cell]] == RegionKind::fluid;
-  }
-  return result;
-}
 
 /// Sound is made in the flow, or along the group where a prescribed source enters. Time goes in whole sub-steps.
 acoustic::FarFieldSettings far_field(const Scene& scene, const Case& config, const acoustic::AcousticSettings& settings,
@@ -61,16 +52,11 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
       moves_(config.flow && std::any_of(config.regions.begin(), config.regions.end(),
                                         [](const Region& region) { return region.kind == RegionKind::solid; })),
       analogy_(make_analogy(settings.analogy, settings.density, settings.speed_of_sound)),
-      cell_has_flow_(cells_with_flow(scene)),
-      solver_(scene.acoustic->mesh, settings),
-      microphones_(scene.acoustic->mesh, config.microphones, far_field(scene, config, settings, cell_has_flow_)),
-      rest_coordinates_(scene.acoustic->mesh.coordinates) {
+      air_(make_air(scene, {})),
+      solver_(air_->mesh(), settings),
+      microphones_(air_->mesh(), config.microphones, far_field(scene, config, settings, air_->cell_has_flow)) {
   microphones_.require_inside();
-  require_undamped(scene.acoustic->mesh, settings_, microphones_);
-  if (scene.flow) {
-    flow_to_acoustic_ = std::make_unique<transfer::SharedVertices>(
-        transfer::SharedVertices::between(scene.parent, *scene.flow, *scene.acoustic));
-  }
+  require_undamped(air_->mesh(), settings_, microphones_);
 }
 
 std::string Voice::integrator_words() const { return acoustic::words(solver_.choice(step_, moves_)); }
@@ -82,7 +68,7 @@ double Voice::fade(double time) const {
 
 std::vector<double> Voice::flow_pressure(const std::vector<double>& of_flow_vertices) const {
   // A fluid cell is on the same rank in both meshes, so its vertices are, too.
-  const transfer::StrippedMesh& acoustic = *scene_.acoustic;
+  const transfer::StrippedMesh& acoustic = *air_->stripped;
   std::vector<double> result(acoustic.mesh.num_vertices(), 0.0);
   for (std::size_t v = 0; v < result.size(); ++v) {
     const std::int32_t there = scene_.flow->parent_to_vertex[acoustic.vertex_to_parent[v]];
@@ -91,24 +77,18 @@ std::vector<double> Voice::flow_pressure(const std::vector<double>& of_flow_vert
   return result;
 }
 
-std::vector<double> Voice::moved_coordinates(const fem::Field& displacement) const {
-  fem::Field here(solver_.space(), displacement.components);
-  flow_to_acoustic_->carry(displacement, here);
-  for (std::size_t i = 0; i < here.values.size(); ++i) here.values[i] += rest_coordinates_[i];
-  return std::move(here.values);
-}
-
 acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& displacement_begin,
                                       const fem::Field& displacement_end) {
   AnalogySource there = analogy_->source(flow);
   for (double& value : there.begin.values) value *= fade(flow.time_begin);
   for (double& value : there.end.values) value *= fade(flow.time_end);
   fem::Load begin(solver_.space(), 1), end(solver_.space(), 1);
-  flow_to_acoustic_->carry(there.begin, begin);
-  flow_to_acoustic_->carry(there.end, end);
+  air_->from_flow->carry(there.begin, begin);
+  air_->from_flow->carry(there.end, end);
 
-  const std::vector<double> from = moved_coordinates(displacement_begin), to = moved_coordinates(displacement_end);
-  mesh::Mesh& mesh = scene_.acoustic->mesh;
+  const std::vector<double> from = moved_coordinates(*air_, solver_.space(), displacement_begin);
+  const std::vector<double> to = moved_coordinates(*air_, solver_.space(), displacement_end);
+  mesh::Mesh& mesh = air_->mesh();
   for (const acoustic::FarField& far : microphones_.far_fields()) far.require_still(mesh, to);
   const std::vector<double> first = flow_pressure(flow.pressure_begin), last = flow_pressure(flow.pressure_end);
   std::vector<double> between(first.size());
@@ -119,7 +99,7 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
     for (std::size_t i = 0; i < to.size(); ++i) mesh.coordinates[i] = (1 - part) * from[i] + part * to[i];
     microphones_.follow(mesh);
     for (std::size_t v = 0; v < first.size(); ++v) between[v] = (1 - part) * first[v] + part * last[v];
-    const acoustic::FlowPressure heard = {between, cell_has_flow_};
+    const acoustic::FlowPressure heard = {between, air_->cell_has_flow};
     microphones_.sample(time, solver_.state().p, &heard);
   };
   const auto report = solver_.advance(dt, {from, to}, {.begin = &begin, .end = &end, .flux = {}}, listen);
@@ -128,12 +108,28 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
 }
 
 void Voice::move_to(const fem::Field& displacement) {
-  scene_.acoustic->mesh.coordinates = moved_coordinates(displacement);
+  air_->mesh().coordinates = moved_coordinates(*air_, solver_.space(), displacement);
+}
+
+void Voice::follow_contact(std::span<const char> in_contact, const fem::Field& displacement) {
+  if (settings_.contact_cells == acoustic::ContactCells::keep) return;
+  std::vector<char> stripped(in_contact.begin(), in_contact.end());
+  stripped.resize(scene_.flow->mesh.num_cells(), 0);
+  stripped_.resize(stripped.size(), 0);
+  const auto changed = static_cast<std::int32_t>(stripped != stripped_);
+  if (base::largest(scene_.parent.comm, changed) == 0) return;
+  stripped_ = std::move(stripped);
+  const auto before = std::exchange(air_, make_air(scene_, stripped_));
+  air_->mesh().coordinates = moved_coordinates(*air_, fem::lagrange(air_->mesh(), 1), displacement);
+  const acoustic::Adoption adoption = solver_.adopt(scene_.parent, *before->stripped, *air_->stripped);
+  microphones_.adopt(air_->mesh(), vertices_there(*before, *air_));
+  ++rebuilds_.count;
+  rebuilds_.energy_lost += adoption.energy_before - adoption.energy_after;
 }
 
 void Voice::drop_caches() {
   solver_.drop_caches();
-  microphones_.follow(scene_.acoustic->mesh, true);
+  microphones_.follow(air_->mesh(), true);
 }
 
 acoustic::AdvanceReport Voice::drive(double dt, const std::function<double(double)>& flux) {

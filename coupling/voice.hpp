@@ -2,17 +2,25 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "acoustic_solver/microphones.hpp"
+#include "coupling/air.hpp"
 #include "coupling/analogies/analogy.hpp"
 #include "coupling/case/case.hpp"
 #include "coupling/scene.hpp"
-#include "transfer/carry.hpp"
 
 namespace vocalis::coupling {
+
+/// How often the air of a voice was stripped anew, and the acoustic energy that was lost thereby [J; J/m in two
+/// dimensions]; negative where opened air had more than closed air lost.
+struct Rebuilds {
+  long count = 0;
+  double energy_lost = 0;
+};
 
 /// One [[acoustic]] of a case: a solver, the analogy that feeds it, and the microphones that listen to it.
 class Voice {
@@ -26,6 +34,14 @@ class Voice {
   acoustic::AdvanceReport follow(const FlowView& flow, const fem::Field& displacement_begin,
                                  const fem::Field& displacement_end);
 
+  /// Goes on in the air without the cells in contact, if that is another one and the settings strip them: the air is
+  /// stripped from the parent, and state, far fields and microphones go with it. A microphone in cells that are gone
+  /// hears nothing. Throws UserError if a layer would lose cells. Collective.
+  ///
+  /// in_contact    (owned cells of the flow mesh); empty: none
+  /// displacement  of the flow [m], now
+  void follow_contact(std::span<const char> in_contact, const fem::Field& displacement);
+
   /// Takes the place that the flow's displacement [m] gives it, after the states were replaced. Collective.
   void move_to(const fem::Field& displacement);
 
@@ -36,6 +52,11 @@ class Voice {
   /// Advances by dt [s] with a prescribed flux g(t) [m/s] instead of a flow. Collective.
   acoustic::AdvanceReport drive(double dt, const std::function<double(double)>& flux);
 
+  const Rebuilds& rebuilds() const { return rebuilds_; }
+  void set_rebuilds(const Rebuilds& rebuilds) { rebuilds_ = rebuilds; }
+  /// The mesh that the sound is on now; another one after `follow_contact`.
+  const transfer::StrippedMesh& air() const { return *air_->stripped; }
+
   /// Which integrator the steps of the case get on the mesh as it is now, and why, in words. Collective.
   std::string integrator_words() const;
 
@@ -44,10 +65,9 @@ class Voice {
   acoustic::Microphones& microphones() { return microphones_; }
   const acoustic::Microphones& microphones() const { return microphones_; }
   /// Whether each microphone hears the flow's pressure, too. Collective.
-  std::vector<std::int32_t> in_flow() const { return microphones_.in_flow(cell_has_flow_); }
+  std::vector<std::int32_t> in_flow() const { return microphones_.in_flow(air_->cell_has_flow); }
 
  private:
-  std::vector<double> moved_coordinates(const fem::Field& displacement) const;
   double fade(double time) const;
   /// The flow's pressure at the acoustic mesh's vertices, of its fluid cells [Pa].
   std::vector<double> flow_pressure(const std::vector<double>& of_flow_vertices) const;
@@ -57,11 +77,11 @@ class Voice {
   double step_;  ///< of the case [s]
   bool moves_;   ///< the air, with solids in the flow
   std::unique_ptr<Analogy> analogy_;
-  std::vector<std::int32_t> cell_has_flow_;  ///< (owned cells of the acoustic mesh)
+  std::unique_ptr<Air> air_;
+  std::vector<char> stripped_;  ///< (owned cells of the flow mesh) no part of the air; empty: none yet
+  Rebuilds rebuilds_;
   acoustic::AcousticSolver solver_;
   acoustic::Microphones microphones_;
-  std::vector<double> rest_coordinates_;
-  std::unique_ptr<transfer::SharedVertices> flow_to_acoustic_;
 };
 
 }  // namespace vocalis::coupling

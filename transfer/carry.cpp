@@ -96,31 +96,6 @@ void SharedVertices::carry(const fem::Field& from, fem::Field& to, double otherw
   }
 }
 
-void SharedVertices::carry_history(const fem::Field& from, fem::Field& to) const {
-  carry(from, to, 0);
-  const mesh::Mesh& mesh = *to.space->mesh;
-  const int n = to.components;
-  // Sums of neighbours and their number; each edge counts once, on the rank that owns it.
-  std::vector<double> sums(static_cast<std::size_t>(mesh.num_vertices()) * (n + 1), 0.0);
-  for (std::int32_t edge = 0; edge < mesh.edges.num_owned; ++edge) {
-    const std::int32_t* ends = mesh.edge_vertices.data() + 2 * static_cast<std::size_t>(edge);
-    for (int i = 0; i < 2; ++i) {
-      const std::int32_t here = ends[i], other = ends[1 - i];
-      if (is_shared_[here] || !is_shared_[other]) continue;
-      double* sum = sums.data() + static_cast<std::size_t>(here) * (n + 1);
-      for (int c = 0; c < n; ++c) sum[c] += to.at(other)[c];
-      sum[n] += 1;
-    }
-  }
-  mesh.vertex_halo.add_to_owners(sums, n + 1);
-  mesh.vertex_halo.copy_to_ghosts(sums, n + 1);
-  for (std::int32_t i = 0; i < mesh.num_vertices(); ++i) {
-    const double* sum = sums.data() + static_cast<std::size_t>(i) * (n + 1);
-    if (is_shared_[i] || sum[n] == 0) continue;
-    for (int c = 0; c < n; ++c) to.at(i)[c] = sum[c] / sum[n];
-  }
-}
-
 void SharedVertices::carry(const fem::Load& from, fem::Load& to) const {
   assert(is_one_per_vertex(*from.space, from_to_parent_.size()) && is_one_per_vertex(*to.space, to_to_parent_.size()));
   assert(from.components == to.components);

@@ -24,10 +24,6 @@ class SharedVertices {
   /// The ghosts of `from` must be current; those of `to` are. Collective.
   void carry(const fem::Field& from, fem::Field& to, double otherwise = 0) const;
 
-  /// The same for the history of a mesh stripped anew: a vertex that `from` lacks gets the mean of its carried
-  /// neighbours (along edges of the mesh of `to`), or 0 if it has none. Collective.
-  void carry_history(const fem::Field& from, fem::Field& to) const;
-
   /// Transpose of the injection of fields of `to` into `from`: what each rank has summed so far is added at the same
   /// vertices of `to`, then to the owners there, so that the total is conserved if `to` has all vertices with a load.
   /// On exit `to` is whole at its owners, its ghosts are 0; its former content is lost. Collective.

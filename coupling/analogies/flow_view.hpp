@@ -13,7 +13,9 @@ namespace vocalis::coupling {
 struct FlowView {
   const fem::Space* space = nullptr;                 ///< P1 on the whole flow mesh: dofs are its vertices
   double time_begin = 0, time_end = 0;               ///< [s]
-  std::span<const std::int32_t> cell_is_fluid;       ///< (owned cells)
+  std::span<const std::int32_t> cell_is_fluid;       ///< (owned cells) at the beginning and throughout
+  std::span<const std::int32_t> vertex_is_silent;    ///< (vertices) of cells that were or are in contact: p_ic there is
+                                                     ///< not the air's at both times; empty: none
   std::vector<mesh::NamedFacet> outlet;              ///< facets where the flow ends inside the air
   std::vector<double> coordinates_middle;            ///< (vertices, d) [m] half-way through the step
   std::vector<double> mesh_velocity;                 ///< (vertices, d) β [m/s]

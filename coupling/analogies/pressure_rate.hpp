@@ -22,7 +22,8 @@ inline double pressure_rate_density(double rate_on_mesh, double mesh_velocity_do
 ///
 /// The rate over the step is the difference of its two pressures, so that the source's integral in time is exact. The
 /// outlet is where the flow region ends inside the air (n points out of the flow): without its flux the mouth's sound
-/// is lost.
+/// is lost. Across a change of phase ∂t p is none: Q is 0 in cells that are or were in contact and at their vertices,
+/// and β·∇p is left out in cells with such a vertex, whose ∇p is not the air's.
 class PressureRate : public Analogy {
  public:
   PressureRate(double density, double speed_of_sound) : density_(density), speed_of_sound_(speed_of_sound) {}

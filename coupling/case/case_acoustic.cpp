@@ -12,6 +12,7 @@ namespace {
 
 using acoustic::Integrator;
 using base::UserError;
+using Contact = acoustic::ContactCells;
 using Kind = acoustic::AcousticBoundaryKind;
 using Velocity = acoustic::VelocityElements;
 
@@ -105,6 +106,10 @@ void read_acoustics(base::Table& root, Case& config) {
       solver.subscale_constant = table.number_or("subscale_constant", solver.subscale_constant, base::not_negative);
     }
     solver.source_fade_in = table.number_or("source_fade_in", solver.source_fade_in, base::not_negative, "s");
+    if (config.flow) {
+      solver.contact_cells = table.choice_or<Contact>("contact_cells", solver.contact_cells,
+                                                      {{"keep", Contact::keep}, {"strip", Contact::strip}});
+    }
     std::vector<std::string> groups;
     for (base::Table& boundary : table.tables("boundary")) {
       solver.boundaries.push_back(read_boundary(boundary, config));

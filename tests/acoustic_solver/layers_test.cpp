@@ -147,30 +147,6 @@ TEST_CASE("a state with its layers goes on exactly, and one without them does no
   CHECK(difference(end_of(without_integral)) > 1e-3);
 }
 
-TEST_CASE("another mesh begins with layers at rest, if it has as many cells too") {
-  AcousticSettings settings = unit_medium();
-  settings.boundaries = {{"left", AcousticBoundaryKind::flux}};
-  settings.layers = {layer(LayerKind::pml, {BoxSide::x_max}),
-                     layer(LayerKind::pml, {BoxSide::y_max, BoxSide::z_min}, 0.11)};
-  const mesh::Mesh mesh = strip(3, 30), other = strip(3, 30);
-  AcousticSolver solver(mesh, settings);
-  record(solver, mesh, 2.5);
-  const State state = solver.state();
-  solver.adopt(other, state);
-  const auto is_zero = [](const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
-  };
-  CHECK(solver.state().p == state.p);
-  CHECK(solver.state().layer_flux.size() == state.layer_flux.size());
-  CHECK(is_zero(solver.state().layer_flux));
-  CHECK(is_zero(solver.state().layer_integral));
-  CHECK(base::largest(mesh.comm, static_cast<std::int32_t>(!is_zero(state.layer_flux))) > 0);
-  solver.advance(50);
-  double left = 0;
-  for (const double p : solver.state().p) left = std::max(left, std::abs(p));
-  CHECK(base::largest(mesh.comm, left) < 0.01);
-}
-
 TEST_CASE("layers that make no sense are the user's mistake") {
   AcousticSettings settings = unit_medium();
   const auto with = [&](std::vector<AbsorbingLayer> layers) {

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
+#include "core/mesh/facets.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/coupling/small_scene.hpp"
 
@@ -140,6 +141,47 @@ TEST_CASE("the flow's outlet gives its volume flow to the air, at the beginning 
     const double expected = (1 + 0.125) * (d == 2 ? 1 : 0.5);
     CHECK(total(source.begin) == Approx(expected).epsilon(1e-12));
     CHECK(total(source.end) == Approx(2 * expected).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("the pressure's jump in a change of phase makes no sound, nor do cells in contact") {
+  for (const int d : {2, 3}) {
+    const auto scene = channel(d);
+    const mesh::Mesh& mesh = scene->flow->mesh;
+    const double rate = 250, dt = 1e-3;
+    const auto velocity = [](const Point&, double) { return Point{1, 0, 0}; };
+    const auto rises = [&](const Point& x, double t) { return 40 - 300 * x[0] + rate * t; };
+    std::vector<std::int32_t> in_contact;
+    for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+      double x = 0;
+      for (const std::int32_t v : mesh.vertices_of(cell)) x += mesh.point(v)[0] / (d + 1);
+      in_contact.push_back(x > 0.7);  // up to the outlet
+    }
+    const std::vector<std::int32_t> silent = mesh::mark_vertices_of_cells(mesh, in_contact);
+    const auto source_with = [&](double jump, const std::function<Point(const Point&)>& motion) {
+      FakeFlow flow(*scene, rises, velocity, motion, dt);
+      for (std::size_t v = 0; v < silent.size(); ++v) flow.view.pressure_end[v] += silent[v] ? jump : 0;
+      for (std::size_t cell = 0; cell < in_contact.size(); ++cell) {
+        if (in_contact[cell]) flow.is_fluid[cell] = 0;
+      }
+      flow.view.vertex_is_silent = silent;
+      AnalogySource source = PressureRate(density, speed).source(flow.view);
+      return source.end.values;
+    };
+    for (const auto& motion : {std::function<Point(const Point&)>(still), {inner_motion}}) {
+      const std::vector<double> quiet = source_with(0, motion), jumps = source_with(1e9, motion);
+      CHECK(quiet == jumps);
+      double left = 0, all = 0;
+      for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+        all += quiet[v];
+        if (mesh.point(v)[0] < 0.4) left = std::max(left, std::abs(quiet[v]));
+        if (mesh.point(v)[0] > 0.75) CHECK(quiet[v] == 0);
+      }
+      CHECK(base::largest(MPI_COMM_WORLD, left) > 0);
+      all = base::sum(MPI_COMM_WORLD, all);
+      CHECK(all < 0);
+      CHECK(all > -volume(d) * rate / (density * speed * speed));
+    }
   }
 }
 

@@ -13,8 +13,9 @@ namespace vocalis::coupling::test {
 /// A box [0, size] (mesh::box) with the regions "fluid", "solid" and "air", each cell of the kind that a function gives
 /// to its centre; whole as build_scene leaves it. Collective.
 inline std::unique_ptr<Scene> box_scene(std::array<double, 3> size, std::array<int, 3> cells,
-                                        const std::function<RegionKind(const std::array<double, 3>&)>& kind_at) {
-  mesh::WholeMesh whole = mesh::box(MPI_COMM_WORLD, size, cells);
+                                        const std::function<RegionKind(const std::array<double, 3>&)>& kind_at,
+                                        MPI_Comm comm = MPI_COMM_WORLD) {
+  mesh::WholeMesh whole = mesh::box(comm, size, cells);
   const int d = whole.dimension;
   whole.region_names = {"fluid", "solid", "air"};
   for (std::int64_t cell = 0; cell < whole.num_cells(); ++cell) {
@@ -26,7 +27,7 @@ inline std::unique_ptr<Scene> box_scene(std::array<double, 3> size, std::array<i
     whole.cell_region[cell] = static_cast<std::int32_t>(kind_at(centre));
   }
   auto scene = std::make_unique<Scene>();
-  scene->parent = mesh::distribute(MPI_COMM_WORLD, whole);
+  scene->parent = mesh::distribute(comm, whole);
   scene->kind_of_region = {RegionKind::fluid, RegionKind::solid, RegionKind::air};
   const auto strip = [&](RegionKind without) {
     std::vector<std::int32_t> keep(scene->parent.num_cells());

@@ -107,25 +107,6 @@ void carry_every_way(MPI_Comm comm, std::uint64_t seed) {
   check_carry(SharedVertices::between(parent, first, second), one, two, random);
 }
 
-/// The mean of shared neighbours at each vertex of the second strip that the first lacks, over the whole mesh.
-double expected_history(const RandomCase& test, const std::vector<std::int32_t>& mask,
-                        const std::set<std::int64_t>& known, std::int64_t vertex) {
-  std::set<std::int64_t> neighbours;
-  const int corners = test.whole.dimension + 1;
-  for (std::int64_t cell = 0; cell < test.whole.num_cells(); ++cell) {
-    const auto first = test.whole.cell_vertices.begin() + cell * corners;
-    if (!mask[cell] || std::find(first, first + corners, vertex) == first + corners) continue;
-    neighbours.insert(first, first + corners);
-  }
-  double sum = 0, count = 0;
-  for (const std::int64_t other : neighbours) {
-    if (!known.contains(other)) continue;
-    sum += value_at(other, 0);
-    count += 1;
-  }
-  return count > 0 ? sum / count : 0;
-}
-
 }  // namespace
 
 TEST_CASE("fields are carried exactly and loads keep their total, every way") {
@@ -133,33 +114,5 @@ TEST_CASE("fields are carried exactly and loads keep their total, every way") {
   for (int trial = 0; trial < 60; ++trial) {
     const auto& split = splits.turn(trial);
     carry_every_way(split.comm, 5000 + 2 * trial + split.is_upper);
-  }
-}
-
-TEST_CASE("vertices that are new after a second strip take the mean of their carried neighbours") {
-  const WorldSplits splits;
-  for (int trial = 0; trial < 60; ++trial) {
-    const auto& split = splits.turn(trial);
-    Random random(9000 + 2 * trial + split.is_upper);
-    const RandomCase test = random_case(random, base::size(split.comm));
-    const auto old_mask = random_mask(random, test), new_mask = random_mask(random, test);
-    const mesh::Mesh parent = test.distribute(split.comm);
-    const StrippedMesh before = strip(parent, mask_of_rank(test, old_mask, base::rank(split.comm)));
-    const StrippedMesh after = strip(parent, mask_of_rank(test, new_mask, base::rank(split.comm)));
-    const fem::Space old_space = fem::lagrange(before.mesh, 1), new_space = fem::lagrange(after.mesh, 1);
-    fem::Field old_field(old_space, 1), new_field(new_space, 1);
-    for (std::int32_t i = 0; i < before.mesh.num_vertices(); ++i) {
-      old_field.at(i)[0] = value_at(before.mesh.vertex_input[i], 0);
-    }
-    SharedVertices::between(parent, before, after).carry_history(old_field, new_field);
-    const auto known = kept_vertices(test, old_mask);
-    bool right = true;
-    for (std::int32_t i = 0; i < after.mesh.num_vertices(); ++i) {
-      const std::int64_t vertex = after.mesh.vertex_input[i];
-      const bool has = known.contains(vertex);
-      const double expected = has ? value_at(vertex, 0) : expected_history(test, new_mask, known, vertex);
-      right = right && std::abs(new_field.at(i)[0] - expected) <= (has ? 0 : 1e-14);
-    }
-    CHECK(right);
   }
 }

@@ -1,0 +1,58 @@
+#include "coupling/air.hpp"
+
+#include <algorithm>
+
+#include "core/base/mpi.hpp"
+
+namespace vocalis::coupling {
+
+namespace {
+
+/// The scene's acoustic mesh without those cells. Collective.
+std::unique_ptr<transfer::StrippedMesh> strip_contact(const Scene& scene, std::span<const char> in_contact) {
+  std::vector<std::int32_t> keep(scene.parent.num_cells());
+  for (std::int32_t cell = 0; cell < scene.parent.num_cells(); ++cell) {
+    const std::int32_t in_flow = scene.flow->parent_to_cell[cell];
+    keep[cell] = scene.acoustic->parent_to_cell[cell] >= 0 && (in_flow < 0 || !in_contact[in_flow]);
+  }
+  return std::make_unique<transfer::StrippedMesh>(transfer::strip(scene.parent, keep));
+}
+
+}  // namespace
+
+std::unique_ptr<Air> make_air(Scene& scene, std::span<const char> in_contact) {
+  auto air = std::make_unique<Air>();
+  const auto any =
+      static_cast<std::int32_t>(std::any_of(in_contact.begin(), in_contact.end(), [](char c) { return c; }));
+  if (base::largest(scene.parent.comm, any) > 0) air->own = strip_contact(scene, in_contact);
+  air->stripped = air->own ? air->own.get() : scene.acoustic.get();
+  const mesh::Mesh& mesh = air->mesh();
+  const std::size_t d = mesh.dimension;
+  air->rest_coordinates.resize(mesh.coordinates.size());
+  for (std::size_t v = 0; v < air->stripped->vertex_to_parent.size(); ++v) {
+    std::copy_n(scene.parent.point(air->stripped->vertex_to_parent[v]), d, air->rest_coordinates.begin() + v * d);
+  }
+  air->cell_has_flow.assign(mesh.num_cells(), 0);
+  if (!scene.flow) return air;
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    air->cell_has_flow[cell] = scene.kind_of_region[mesh.cell_region[cell]] == RegionKind::fluid;
+  }
+  air->from_flow = std::make_unique<transfer::SharedVertices>(
+      transfer::SharedVertices::between(scene.parent, *scene.flow, *air->stripped));
+  return air;
+}
+
+std::vector<double> moved_coordinates(const Air& air, const fem::Space& space, const fem::Field& displacement) {
+  fem::Field here(space, displacement.components);
+  air.from_flow->carry(displacement, here);
+  for (std::size_t i = 0; i < here.values.size(); ++i) here.values[i] += air.rest_coordinates[i];
+  return std::move(here.values);
+}
+
+std::vector<std::int32_t> vertices_there(const Air& before, const Air& after) {
+  std::vector<std::int32_t> there;
+  for (const std::int32_t v : before.stripped->vertex_to_parent) there.push_back(after.stripped->parent_to_vertex[v]);
+  return there;
+}
+
+}  // namespace vocalis::coupling
