@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/pockets.hpp"
+#include "contact/slivers.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
 #include "core/mesh/geometry.hpp"
@@ -259,7 +260,8 @@ void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is
   }
 }
 
-/// All cells near closed ones, of which those that are in contact already stay a little longer, and pockets.
+/// All cells near closed ones, of which those that are in contact already stay a little longer, pockets
+/// and slivers.
 void ContactSearch::spread(const WallDistance& walls, std::span<const double> coordinates, const ContactState& before,
                            ContactProposal& proposal) const {
   const std::ptrdiff_t d = mesh_->dimension;
@@ -277,6 +279,8 @@ void ContactSearch::spread(const WallDistance& walls, std::span<const double> co
   for (std::size_t cell = 0; cell < width.size(); ++cell) width[cell] = pocket_width * settings_.alpha * length_[cell];
   const std::vector<char> pockets = find_pockets(walls, width, state.in_contact);
   for (std::size_t cell = 0; cell < pockets.size(); ++cell) state.in_contact[cell] |= pockets[cell];
+  const std::vector<char> slivers = find_slivers(walls, state.in_contact);
+  for (std::size_t cell = 0; cell < slivers.size(); ++cell) state.in_contact[cell] |= slivers[cell];
 }
 
 }  // namespace vocalis::contact
