@@ -156,6 +156,8 @@ fem::Field stabilise(const StageFields& fields, const Continuum& continuum, cons
         set_fluid(scales.squares[lane], scales.crossing[lane], scales.speed[lane], settings, cell, stabilisation);
       } else {
         set_solid(scales.squares[lane], continuum.solids[solid], continuum.elasticity[solid], cell, stabilisation);
+        // Contact cells share their pressure with the air beside them, which would flow out of what κ pulls back.
+        if (solid == continuum.contact) stabilisation.recovery[cell] = 0;
       }
       for (int k = 0; k < D; ++k) stabilisation.advection[cell * D + k] = scales.advection[k][lane];
       const double share = scales.measure[lane] / (D + 1);
