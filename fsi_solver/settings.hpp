@@ -42,7 +42,7 @@ struct FlowBoundary {
   VelocityProfile profile = VelocityProfile::uniform;  ///< parabolic: 1.5 times the mean in the middle (2-D), by the
                                                        ///< distance between the end points of the group
   double ramp = 0;                                     ///< [s]; 0: at once
-  double period = 0;                                   ///< [s], for `velocity`; 0: constant
+  double period = 0;                                   ///< [s]; 0: constant
 };
 
 enum class TimeScheme { theta, bdf2 };

@@ -64,10 +64,10 @@ fsi::FlowBoundary read_boundary(base::Table& table, Case& config) {
     boundary.profile = table.choice_or<fsi::VelocityProfile>(
         "profile", boundary.profile,
         {{"uniform", fsi::VelocityProfile::uniform}, {"parabolic", fsi::VelocityProfile::parabolic}});
-    boundary.period = table.number_or("period", boundary.period, base::not_negative, "s");
   }
   if (boundary.kind != Kind::wall && boundary.kind != Kind::symmetry && boundary.kind != Kind::fixed) {
     boundary.ramp = table.number_or("ramp", boundary.ramp, base::not_negative, "s");
+    boundary.period = table.number_or("period", boundary.period, base::not_negative, "s");
   }
   return boundary;
 }

@@ -149,6 +149,8 @@ TEST_CASE("what a case says about elements, mesh motion, step and statistics bec
   const Case usual = read_case(MPI_COMM_WORLD, folder.write(example), {});
   CHECK(usual.flow->elements == fsi::Elements::p1p1);
   CHECK(usual.flow->boundaries[1].period == 16);
+  const Case pulsating = read_case(MPI_COMM_WORLD, folder.write(example), {"flow.boundary.inlet.period=0.5"});
+  CHECK(pulsating.flow->boundaries[0].period == 0.5);
   CHECK(usual.time.tolerance == 0);
   REQUIRE(usual.monitors.size() == 3);
   CHECK(usual.monitors[1].name.empty());
@@ -350,7 +352,7 @@ TEST_CASE("a case that contradicts itself is refused with the rule and a remedy"
       {"flow.geometry=fixed", "implicit, explicit"},
       {"flow.smoother=none", "linear, nonlinear"},
       {"flow.smoother_quality=2", "from 0 to 1"},
-      {"flow.boundary.inlet.period=1", "not a key"},
+      {"flow.boundary.inlet.period=-1", "zero or positive"},
       {"flow.boundary.sides.period=-1", "zero or positive"},
       {"time.tolerance=-1", "from 0 to 1"},
       {"time.largest_dt=1e-6", "not be smaller than time.dt"},
