@@ -10,6 +10,7 @@
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
 #include "coupling/figures.hpp"
+#include "fsi_solver/continuum.hpp"
 
 namespace vocalis::coupling {
 
@@ -207,6 +208,13 @@ void RunOutput::write_fields(Simulation& simulation) {
     add("velocity", *flow_to_parent_, flow->velocity_at_vertices());
     add("displacement", *flow_to_parent_, flow->displacement_at_vertices());
     add("pressure", *flow_to_parent_, pressure);
+    if (simulation.contact()) {
+      const std::vector<char>& cells = flow->state().in_contact;
+      const auto marks = mesh::mark_vertices_of_cells(*flow->continuum().mesh, {cells.begin(), cells.end()});
+      fem::Field contact(flow->continuum().vertex_space, 1);
+      std::copy(marks.begin(), marks.end(), contact.values.begin());
+      add("contact", *flow_to_parent_, contact);
+    }
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const Voice& voice = *simulation.voices()[i];
