@@ -36,7 +36,7 @@ l_roof = newl; Line(l_roof) = {p_tract_top, p_ventricle};
 l_behind = newl; Line(l_behind) = {p_glottis_end, p_tract_bottom};
 
 loop = newll;
-Curve Loop(loop) = {midline(), l_behind, tract_midline(), l_mouth, -tract_wall(), l_roof, l_ventricle,
+Curve Loop(loop) = {midline(), l_behind, flow_midline(), l_outlet, -flow_wall(), l_roof, l_ventricle,
                     -fold_surface(), l_subglottal, lungs};
 s_flow = news; Plane Surface(s_flow) = {loop};
 
@@ -48,10 +48,11 @@ If (ligament_thickness > 0)
   Physical Surface("ligament") = {s_ligament};
 EndIf
 Physical Surface("body") = {s_body};
-Physical Surface("room") = {s_room};
+Physical Surface("air") = {air()};
 Physical Curve("lungs") = {lungs};
 Physical Curve("walls") = {l_subglottal, l_ventricle, l_roof, tract_wall()};
 Physical Curve("midline") = {midline(), l_behind, tract_midline(), room_midline};
+Physical Curve("outlet") = {l_outlet};
 Physical Curve("mouth") = {l_mouth};
 Physical Curve("baffle") = {room_baffle};
 Physical Curve("open") = {room_arc};

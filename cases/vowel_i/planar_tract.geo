@@ -3,7 +3,8 @@
 // set. y = 0 is the symmetry line; the half height is area / (2 depth), linear between the centres of sections, constant
 // in the first and the last half section.
 // Leaves: p_tract_bottom, p_tract_top (start of midline and wall), tract_midline(), tract_wall() (from start to mouth),
-// l_mouth, surface s_room, curves room_midline, room_baffle, room_arc.
+// flow_midline(), flow_wall(), l_outlet (as far as air flows: `flow_sections`), l_mouth, surfaces air() (of the rest of
+// the tract, if any, and of the room), curves room_midline, room_baffle, room_arc.
 Include "area_function.geo";
 
 DefineConstant[
@@ -11,6 +12,7 @@ DefineConstant[
   h_tract = 0.0008,         // [m] largest cell of the tract
   cells_across = 3,         // at least this many cells across the half height
   h_growth = 0.2,           // cell size may grow by this much per metre along the axis
+  flow_sections = 1000,     // sections that air flows through; sound alone goes on from there
   room_radius = 0.08,       // [m] quarter disc around the mouth's centre
   h_room = 0.0045           // [m] largest cell of the room
 ];
@@ -70,6 +72,11 @@ For i In {0 : n - 1}
   EndIf
   previous_bottom = bottom;
   previous_top = top;
+  If (station_x(i) < tract_start + (flow_sections + 0.01) * section_length)
+    flow_end = i;
+    p_flow_bottom = bottom;
+    p_flow_top = top;
+  EndIf
 EndFor
 p_mouth_bottom = previous_bottom;
 p_mouth_top = previous_top;
@@ -82,3 +89,17 @@ room_arc = newl;      Circle(room_arc) = {p_room_axis, p_mouth_bottom, p_room_ba
 room_baffle = newl;   Line(room_baffle) = {p_room_baffle, p_mouth_top};
 loop = newll;         Curve Loop(loop) = {room_midline, room_arc, room_baffle, -l_mouth};
 s_room = news;        Plane Surface(s_room) = {loop};
+
+air() = {s_room};
+flow_midline() = tract_midline();
+flow_wall() = tract_wall();
+l_outlet = l_mouth;
+If (flow_end < n - 1)
+  flow_midline() = tract_midline({0 : flow_end - 1});
+  flow_wall() = tract_wall({0 : flow_end - 1});
+  l_outlet = newl; Line(l_outlet) = {p_flow_bottom, p_flow_top};
+  loop = newll;
+  Curve Loop(loop) = {tract_midline({flow_end : n - 2}), l_mouth, -tract_wall({flow_end : n - 2}), -l_outlet};
+  s_tract = news; Plane Surface(s_tract) = {loop};
+  air() += {s_tract};
+EndIf

@@ -13,7 +13,7 @@ loop = newll;     Curve Loop(loop) = {tract_midline(), l_mouth, -tract_wall(), l
 s_tract = news;   Plane Surface(s_tract) = {loop};
 
 Physical Surface("tract") = {s_tract};
-Physical Surface("room") = {s_room};
+Physical Surface("room") = {air()};
 Physical Curve("glottis") = {l_glottis};
 Physical Curve("walls") = {tract_wall()};
 Physical Curve("midline") = {tract_midline(), room_midline};
