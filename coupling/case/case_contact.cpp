@@ -7,10 +7,14 @@ namespace vocalis::coupling {
 
 namespace {
 
-/// The solid that yields first: what lies between walls that touch should not be stiffer than they are by default.
-const fsi::SolidMaterial& softest(const std::vector<fsi::SolidMaterial>& solids) {
-  return *std::min_element(solids.begin(), solids.end(),
-                           [](const auto& a, const auto& b) { return a.young_modulus < b.young_modulus; });
+/// The contact medium is stiffer and more viscous than the solids that touch: a softer one flows out from between them
+/// (docs/validation.md).
+constexpr double stiffness_over_solids = 10, damping_over_solids = 3;
+
+double largest(const std::vector<fsi::SolidMaterial>& solids, double fsi::SolidMaterial::*property) {
+  double result = 0;
+  for (const fsi::SolidMaterial& solid : solids) result = std::max(result, solid.*property);
+  return result;
 }
 
 }  // namespace
@@ -33,9 +37,12 @@ void read_contact(base::Table& root, Case& config) {
       "distance", settings.distance,
       {{"direct", contact::DistanceMethod::direct}, {"eikonal", contact::DistanceMethod::eikonal}});
   fsi::ContactMedium& medium = config.flow->contact.emplace();
-  const fsi::SolidMaterial& solid = softest(config.flow->solids);
-  medium.young_modulus = table->number_or("young_modulus", solid.young_modulus, base::positive, "Pa");
-  medium.damping = table->number_or("damping", solid.damping, base::not_negative, "Pa s");
+  const std::vector<fsi::SolidMaterial>& solids = config.flow->solids;
+  medium.young_modulus =
+      table->number_or("young_modulus", stiffness_over_solids * largest(solids, &fsi::SolidMaterial::young_modulus),
+                       base::positive, "Pa");
+  medium.damping = table->number_or("damping", damping_over_solids * largest(solids, &fsi::SolidMaterial::damping),
+                                    base::not_negative, "Pa s");
   config.flow->mesh_recovery = table->number_or("mesh_recovery", 10 * config.time.step, base::not_negative, "s");
 }
 
