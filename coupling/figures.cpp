@@ -14,6 +14,8 @@
 #include "core/base/error.hpp"
 #include "core/io/series_reader.hpp"
 #include "core/io/wav.hpp"
+#include "coupling/history_columns.hpp"
+#include "coupling/phonation/phonation.hpp"
 #include "coupling/spectra_file.hpp"
 
 namespace vocalis::coupling {
@@ -73,16 +75,6 @@ void add_vibration(const std::vector<double>& gap, Figures& figures) {
   figures.values["vibration_last_amplitude_m"] = growth.amplitudes.back();
 }
 
-/// The columns of a monitor that a history has, which knows the dimension by them.
-std::vector<MonitorColumn> columns_in(const io::Series& history, const MonitorSettings& monitor) {
-  for (const int dimension : {3, 2}) {
-    const std::vector<MonitorColumn> columns = columns_of(monitor, dimension);
-    const auto is_there = [&](const MonitorColumn& column) { return history.find(column.name()) != nullptr; };
-    if (std::all_of(columns.begin(), columns.end(), is_there)) return columns;
-  }
-  return {};
-}
-
 void add_statistics(const Case& config, const io::Series& history, Figures& figures) {
   std::vector<MonitorColumn> columns;
   std::vector<std::vector<double>> values;
@@ -104,22 +96,29 @@ void add_history(const Case& config, const io::Series& history, Figures& figures
   const double begin = begin_of_voice(config);
   bool has_gap = false;
   for (const MonitorSettings& monitor : config.monitors) {
-    if (monitor.kind != MonitorKind::gap && monitor.kind != MonitorKind::flux) continue;
+    const bool is_opening = monitor.kind == MonitorKind::gap || monitor.kind == MonitorKind::glottis;
+    if (!is_opening && monitor.kind != MonitorKind::flux) continue;
     const std::vector<MonitorColumn> columns = columns_in(history, monitor);
     if (columns.empty()) continue;
     const std::vector<double>& values = *history.find(columns.front().name());
-    const std::string& unit = columns.front().unit;
+    const auto& [stem, unit] = columns.front();
     const std::vector<double> late = since(times, values, begin);
     if (late.empty()) continue;
     if (monitor.kind == MonitorKind::flux) {
       figures.values[monitor.name + "_mean" + unit] = mean(late);
       continue;
     }
-    figures.values[monitor.name + "_peak" + unit] = *std::max_element(late.begin(), late.end());
-    figures.values[monitor.name + "_least" + unit] = *std::min_element(late.begin(), late.end());
+    figures.values[stem + "_peak" + unit] = *std::max_element(late.begin(), late.end());
+    figures.values[stem + "_least" + unit] = *std::min_element(late.begin(), late.end());
     if (!has_gap) add_vibration(uniform_since(from_zero(times, values), begin), figures);
     has_gap = true;
   }
+}
+
+void add_phonation(const Case& config, const io::Series& history, const std::string& file, Figures& figures) {
+  const Phonation phonation = analyse_phonation(config, history);
+  if (!phonation.cycles.empty()) write_periods(file, config, phonation);
+  for (const auto& [name, value] : phonation.results) figures.values[name] = value;
 }
 
 /// The volume flow of the first monitor of its kind, at the analysis rate from time 0 on; empty if there is none.
@@ -168,6 +167,7 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     const io::Series history = io::read_series(file);
     column(history, "time_s", file);
     add_history(config, history, figures);
+    if (!config.statistics) add_phonation(config, history, (run / "periods.csv").string(), figures);
     if (!config.microphones.empty()) volume_flow = first_flux(config, history);
   }
   if (config.microphones.empty()) return figures;

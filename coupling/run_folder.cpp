@@ -82,6 +82,27 @@ Header microphone_header(const Case& config, std::size_t solver, const std::vect
   return header;
 }
 
+/// A step, its time, and the opening at each station: "opening_m.0.0123" where x = 0.0123 m.
+std::vector<std::string> kymogram_columns(const Stations& stations) {
+  std::vector<std::string> columns = {"step", "time_s"};
+  for (int i = 0; i < stations.count; ++i) columns.push_back(fmt::format("opening_m.{:.9g}", stations.place(i)));
+  return columns;
+}
+
+Header kymogram_header(const Case& config, const Glottis& glottis) {
+  return {
+      {"case", config.name},
+      {"monitor", glottis.settings.name},
+      {"opening_m", fmt::format("distance of the folds [m], 0 where contact cells seal them; in space the mean over "
+                                "their length. Of each column at this {} [m]",
+                                "xyz"[glottis.grid.along.axis])}};
+}
+
+/// Whether a multiple of the interval [s] lies in the step that ended now.
+bool is_due(double time, double dt, double interval) {
+  return interval > 0 && std::floor((time + 1e-9 * dt) / interval) > std::floor((time - dt + 1e-9 * dt) / interval);
+}
+
 std::unique_ptr<io::SeriesWriter> open_series(MPI_Comm comm, const std::string& path, const Header& header,
                                               const std::vector<std::string>& columns, int column, double last,
                                               bool goes_on) {
@@ -91,10 +112,11 @@ std::unique_ptr<io::SeriesWriter> open_series(MPI_Comm comm, const std::string& 
 
 /// Whether a run writes files of this name.
 bool is_of_a_run(const std::string& name) {
-  for (const char* known :
-       {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "harmonics.csv", "fields.h5", "fields.xdmf"}) {
+  for (const char* known : {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "harmonics.csv", "fields.h5",
+                            "fields.xdmf", "periods.csv"}) {
     if (name == known) return true;
   }
+  if (name.starts_with("kymogram_") && name.ends_with(".csv")) return true;
   return name.starts_with("microphone") && (name.ends_with(".wav") || name.ends_with(".csv"));
 }
 
@@ -131,6 +153,13 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
   const std::filesystem::path path = folder;
   history_ = open_series(comm, path / "history.csv", {{"case", config.name}}, history_columns(simulation), 0,
                          static_cast<double>(clock.step), goes_on);
+  if (simulation.monitors() && config.output.kymogram_interval > 0) {
+    for (const Glottis* glottis : simulation.monitors()->glottises()) {
+      kymograms_.push_back(open_series(comm, path / ("kymogram_" + glottis->settings.name + ".csv"),
+                                       kymogram_header(config, *glottis), kymogram_columns(glottis->grid.along), 0,
+                                       static_cast<double>(clock.step), goes_on));
+    }
+  }
   if (!config.microphones.empty()) {
     for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
       const std::vector<std::int32_t> in_flow = simulation.voices()[i]->in_flow();
@@ -166,11 +195,18 @@ void RunOutput::record(Simulation& simulation, const StepOutcome& outcome) {
   row.insert(row.end(), monitors.begin(), monitors.end());
   history_->write(row);
   if (clock.step % 100 == 0) record_microphones(simulation);
-  if (!fields_) return;
-  const double interval = config_.output.fields_interval;
-  const bool due = std::floor((clock.time + 1e-9 * outcome.dt) / interval) >
-                   std::floor((clock.time - outcome.dt + 1e-9 * outcome.dt) / interval);
-  if (due) write_fields(simulation);
+  if (is_due(clock.time, outcome.dt, config_.output.kymogram_interval)) record_kymograms(simulation);
+  if (fields_ && is_due(clock.time, outcome.dt, config_.output.fields_interval)) write_fields(simulation);
+}
+
+void RunOutput::record_kymograms(Simulation& simulation) {
+  for (std::size_t i = 0; i < kymograms_.size(); ++i) {
+    const Glottis& glottis = *simulation.monitors()->glottises()[i];
+    std::vector<double> row = {static_cast<double>(simulation.clock().step), simulation.clock().time};
+    const double length = scene_.parent.dimension == 3 ? glottis.grid.span.end - glottis.grid.span.begin : 1;
+    for (const double area : simulation.monitors()->opening(glottis).areas) row.push_back(area / length);
+    kymograms_[i]->write(row);
+  }
 }
 
 void RunOutput::record_microphones(Simulation& simulation) {
@@ -230,6 +266,7 @@ void RunOutput::flush(Simulation& simulation) {
   record_microphones(simulation);
   history_->flush();
   for (auto& series : microphones_) series->flush();
+  for (auto& series : kymograms_) series->flush();
 }
 
 }  // namespace vocalis::coupling

@@ -15,7 +15,7 @@ namespace vocalis::coupling {
 void prepare_run_folder(MPI_Comm comm, const std::string& folder);
 
 /// What a run writes while it goes: history.csv, microphones.csv (microphones_NAME.csv for a second acoustic solver and
-/// more) and the fields.
+/// more), kymogram_NAME.csv of each glottis and the fields.
 class RunOutput {
  public:
   /// goes_on  the files of the run so far are cut after the present step, and continued
@@ -29,12 +29,14 @@ class RunOutput {
 
  private:
   void record_microphones(Simulation& simulation);
+  void record_kymograms(Simulation& simulation);
   void write_fields(Simulation& simulation);
 
   const Case& config_;
   const Scene& scene_;
   std::unique_ptr<io::SeriesWriter> history_;
   std::vector<std::unique_ptr<io::SeriesWriter>> microphones_;
+  std::vector<std::unique_ptr<io::SeriesWriter>> kymograms_;  ///< of each glottis
   std::unique_ptr<io::FieldsWriter> fields_;
   fem::Space parent_space_;  ///< this and what follows: for the fields
   std::optional<transfer::SharedVertices> flow_to_parent_;

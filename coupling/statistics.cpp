@@ -62,14 +62,6 @@ std::vector<double> crossings_in_middle_of(const Interval& interval, Series time
   return crossings_of(times, values, begin, range->mean, hysteresis * range->amplitude);
 }
 
-double at(Series times, Series values, double time) {
-  const auto after = std::lower_bound(times.begin(), times.end(), time) - times.begin();
-  if (after == 0) return values.front();
-  if (after == static_cast<std::ptrdiff_t>(times.size())) return values.back();
-  const double part = (time - times[after - 1]) / (times[after] - times[after - 1]);
-  return (1 - part) * values[after - 1] + part * values[after];
-}
-
 /// [Hz] over as many of a column's own last periods as fit into a period.
 std::optional<double> own_frequency(Series times, Series values, double begin, const Interval& period) {
   const std::vector<double> own = up_crossings(times, values, begin);
@@ -110,7 +102,7 @@ void add_periodic(const StatisticsSettings& settings, Series times, const std::v
     if (unit == "_Pa" && peak) {
       const double half = 0.5 * period.length();
       const double time = peak->time + half <= times.back() ? peak->time + half : peak->time - half;
-      results[stem + "_half_period" + unit] = at(times, values[i], time);
+      results[stem + "_half_period" + unit] = linear_at(times, values[i], time);
     }
   }
 }
@@ -126,6 +118,14 @@ void add_extrema(const StatisticsSettings& settings, Series times, const Monitor
 }
 
 }  // namespace
+
+double linear_at(Series times, Series values, double time) {
+  const auto after = std::lower_bound(times.begin(), times.end(), time) - times.begin();
+  if (after == 0) return values.front();
+  if (after == static_cast<std::ptrdiff_t>(times.size())) return values.back();
+  const double part = (time - times[after - 1]) / (times[after] - times[after - 1]);
+  return (1 - part) * values[after - 1] + part * values[after];
+}
 
 std::optional<Extremum> extremum(Series times, Series values, double begin, double end, int sign) {
   std::optional<std::size_t> best;

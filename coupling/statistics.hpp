@@ -25,6 +25,9 @@ struct StatisticsSettings {
 
 // Series are samples at rising, perhaps uneven times [s]; both have the same length.
 
+/// A series that is linear between its samples and constant before and after them.
+double linear_at(std::span<const double> times, std::span<const double> values, double time);
+
 /// An extremum of a series, from the parabola through the samples around it: third order in the sampling step.
 struct Extremum {
   double time = 0;  ///< [s]

@@ -49,6 +49,8 @@ void read_output(base::Table& root, Case& config) {
   OutputSettings& settings = config.output;
   settings.directory = output.text_or("directory", "runs/" + config.name);
   settings.fields_interval = output.number_or("fields_interval", settings.fields_interval, base::not_negative, "s");
+  settings.kymogram_interval =
+      output.number_or("kymogram_interval", settings.kymogram_interval, base::not_negative, "s");
   settings.checkpoint_steps = output.integer_or("checkpoint_steps", settings.checkpoint_steps, base::not_negative);
 }
 

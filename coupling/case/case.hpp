@@ -39,9 +39,10 @@ struct SourceSettings {
 };
 
 struct OutputSettings {
-  std::string directory;       ///< the run folder
-  double fields_interval = 0;  ///< [s] of simulated time; 0: no fields
-  int checkpoint_steps = 0;    ///< steps between checkpoints; 0: none
+  std::string directory;            ///< the run folder
+  double fields_interval = 0;       ///< [s] of simulated time; 0: no fields
+  double kymogram_interval = 1e-4;  ///< [s] of simulated time, for monitors of kind glottis; 0: none
+  int checkpoint_steps = 0;         ///< steps between checkpoints; 0: none
 };
 
 /// What a published or measured source says that a result should be.

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
@@ -11,10 +13,14 @@ namespace {
 using base::UserError;
 using Kind = MonitorKind;
 
-const std::vector<std::pair<std::string, Kind>> monitor_kinds = {
-    {"gap", Kind::gap},      {"flux", Kind::flux},         {"displacement", Kind::displacement},
-    {"force", Kind::force},  {"pressure", Kind::pressure}, {"pressure_difference", Kind::pressure_difference},
-    {"energy", Kind::energy}};
+const std::vector<std::pair<std::string, Kind>> monitor_kinds = {{"gap", Kind::gap},
+                                                                 {"glottis", Kind::glottis},
+                                                                 {"flux", Kind::flux},
+                                                                 {"displacement", Kind::displacement},
+                                                                 {"force", Kind::force},
+                                                                 {"pressure", Kind::pressure},
+                                                                 {"pressure_difference", Kind::pressure_difference},
+                                                                 {"energy", Kind::energy}};
 
 std::string read_name(base::Table& table, Kind kind) {
   if (kind == Kind::force) return read_plain_name_or(table, "name", "");
@@ -40,6 +46,31 @@ void read_cut(base::Table& table, MonitorSettings& monitor, Case& config) {
   }
 }
 
+/// One fold before a plane, or two.
+void read_glottis(base::Table& table, MonitorSettings& monitor, Case& config) {
+  const std::vector<std::pair<std::string, int>> axes = {{"x", 0}, {"y", 1}, {"z", 2}};
+  monitor.group = read_group(table, config);
+  monitor.axis = table.choice_or<int>("axis", monitor.axis, axes);
+  monitor.along = table.choice_or<int>("along", monitor.along, axes);
+  if (monitor.along == monitor.axis) {
+    throw UserError(table.place("along") + " must be another axis than the one across the glottis",
+                    fmt::format("\"{}\"", "xyz"[monitor.along]), "give the axis along which the air flows");
+  }
+  if (table.has("other_group")) {
+    if (table.has("plane") || table.has("mirrored")) {
+      throw UserError(table.place() + " needs a second fold, or a plane with the mirror image of the first", "both",
+                      "leave out other_group, or plane and mirrored");
+    }
+    monitor.other_group = read_group(table, config, "other_group");
+  } else {
+    monitor.plane = table.number_or("plane", monitor.plane, base::any_number, "m");
+    monitor.mirrored = table.boolean_or("mirrored", monitor.mirrored);
+  }
+  monitor.depth = table.number_or("depth", monitor.depth, base::not_negative, "m");
+  monitor.stations = table.integer_or("stations", monitor.stations, base::between(2, 10000));
+  monitor.span_stations = table.integer_or("span_stations", monitor.span_stations, base::between(1, 10000));
+}
+
 MonitorSettings read_monitor(base::Table& table, Case& config) {
   MonitorSettings monitor;
   monitor.kind = table.choice("kind", monitor_kinds);
@@ -50,6 +81,9 @@ MonitorSettings read_monitor(base::Table& table, Case& config) {
       monitor.mirrored = table.boolean_or("mirrored", monitor.mirrored);
       monitor.axis = table.choice_or<int>("axis", monitor.axis, {{"x", 0}, {"y", 1}, {"z", 2}});
       monitor.plane = table.number_or("plane", monitor.plane, base::any_number, "m");
+      break;
+    case Kind::glottis:
+      read_glottis(table, monitor, config);
       break;
     case Kind::flux:
       read_cut(table, monitor, config);

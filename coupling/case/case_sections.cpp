@@ -80,9 +80,9 @@ std::array<double, 3> read_vector_or(base::Table& table, const std::string& key,
   return padded(table.numbers_or(key, {fallback.begin(), fallback.end()}, 2, 3, unit));
 }
 
-std::string read_group(base::Table& table, Case& config) {
-  const std::string name = table.text("group");
-  config.references.push_back({MeshReference::Kind::group, table.place("group"), name, {}});
+std::string read_group(base::Table& table, Case& config, const std::string& key) {
+  const std::string name = table.text(key);
+  config.references.push_back({MeshReference::Kind::group, table.place(key), name, {}});
   return name;
 }
 

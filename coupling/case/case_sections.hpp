@@ -34,7 +34,7 @@ std::array<double, 3> read_vector_or(base::Table& table, const std::string& key,
                                      const std::string& unit, Case& config);
 
 /// The name of a group of facets; the names of several.
-std::string read_group(base::Table& table, Case& config);
+std::string read_group(base::Table& table, Case& config, const std::string& key = "group");
 std::vector<std::string> read_groups(base::Table& table, Case& config);
 
 /// Throws if a name stands twice. `what` is the kind of thing: "[[region]]".

@@ -8,6 +8,7 @@ namespace vocalis::coupling {
 
 enum class MonitorKind {
   gap,                  ///< smallest distance of a group from the plane where a coordinate has a given value [m]
+  glottis,              ///< the opening between folds, the air that passes it, contact; see columns_of
   flux,                 ///< volume flow through a group or across a line, ∫ v·n ds [m^2/s in 2-D, m^3/s]
   displacement,         ///< of the material or the mesh at a point, one column a component [m]
   force,                ///< of the fluid on groups, one column a component [N; in 2-D N per metre of depth]
@@ -21,11 +22,16 @@ enum class MonitorKind {
 struct MonitorSettings {
   std::string name;  ///< begins the names of the columns; may be empty for a force
   MonitorKind kind = MonitorKind::gap;
-  std::string group;                           ///< of facets, for gap and flux; empty for a flux across a line
-  std::vector<std::string> groups;             ///< of facets, for force
-  int axis = 1;                                ///< 0, 1, 2 = x, y, z: normal of the plane, for gap
-  double plane = 0;                            ///< its coordinate [m], for gap
-  bool mirrored = false;                       ///< half model: gap and flux count twice
+  std::string group;                ///< of facets, for gap, glottis and flux; empty for a flux across a line
+  std::string other_group;          ///< of facets, for glottis: the surface of the other fold; empty: the plane instead
+  std::vector<std::string> groups;  ///< of facets, for force
+  int axis = 1;                     ///< 0, 1, 2 = x, y, z: normal of the plane, for gap and glottis
+  double plane = 0;                 ///< its coordinate [m], for gap and glottis
+  int along = 0;                    ///< axis of the flow, for glottis
+  int stations = 200;               ///< places along the flow where the opening is measured, for glottis
+  int span_stations = 50;           ///< the same along the third axis, in space
+  double depth = 0;       ///< [m] length of the folds, for a glottis in the plane; 0: areas and flows stay per metre
+  bool mirrored = false;  ///< half model: gap, glottis and flux count twice
   std::array<double, 3> position = {0, 0, 0};  ///< [m], for displacement and pressures
   std::array<double, 3> other = {0, 0, 0};     ///< [m] where the pressure is that is taken away, for its difference
   std::array<double, 3> from = {0, 0, 0};      ///< [m] a line's beginning, for flux in 2-D; what crosses it ...
@@ -40,7 +46,8 @@ struct MonitorColumn {
   std::string name() const { return stem + unit; }
 };
 
-/// The columns of a monitor, in order.
+/// The columns of a monitor, in order. Those of a glottis: its smallest gap, its smallest area (in the plane only with
+/// a depth), in the plane the flow past the folds there, the largest speed of the fluid, the number of contact cells.
 std::vector<MonitorColumn> columns_of(const MonitorSettings& monitor, int dimension);
 
 }  // namespace vocalis::coupling

@@ -69,6 +69,9 @@ Monitors::Bound Monitors::bind(const MonitorSettings& monitor) const {
     case MonitorKind::gap:
       find_facets(bound);
       break;
+    case MonitorKind::glottis:
+      bound.glottis = make_glottis(*flow_, monitor, cell_is_fluid_);
+      break;
     case MonitorKind::flux:
       if (!monitor.group.empty()) {
         find_facets(bound);
@@ -144,6 +147,9 @@ std::vector<double> Monitors::evaluate() const {
       case MonitorKind::gap:
         values.push_back(factor * fem::gap_to_plane(space, points, monitor.facets, settings.axis, settings.plane));
         break;
+      case MonitorKind::glottis:
+        append(glottis_values(*flow_, *monitor.glottis, points, cell_is_fluid_));
+        break;
       case MonitorKind::flux:
         values.push_back(factor * (settings.group.empty()
                                        ? flux_across(state.velocity, points, settings.from, settings.to, cell_is_fluid_)
@@ -168,6 +174,18 @@ std::vector<double> Monitors::evaluate() const {
     }
   }
   return values;
+}
+
+std::vector<const Glottis*> Monitors::glottises() const {
+  std::vector<const Glottis*> result;
+  for (const Bound& monitor : monitors_) {
+    if (monitor.glottis) result.push_back(&*monitor.glottis);
+  }
+  return result;
+}
+
+GlottalOpening Monitors::opening(const Glottis& glottis) const {
+  return measure_opening(*flow_, glottis, moved_points(*flow_));
 }
 
 }  // namespace vocalis::coupling

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/monitors/energy_balance.hpp"
+#include "coupling/monitors/glottis.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/monitors/probe.hpp"
 #include "fsi_solver/fsi_solver.hpp"
@@ -28,6 +29,11 @@ class Monitors {
   /// stage. Collective.
   std::vector<double> evaluate() const;
 
+  /// The monitors of kind glottis, in order.
+  std::vector<const Glottis*> glottises() const;
+  /// The opening along one of them, of the accepted state. Collective.
+  GlottalOpening opening(const Glottis& glottis) const;
+
   /// What monitors remember from step to step, for checkpoints.
   const EnergyBalance& balance() const { return balance_; }
   void set_balance(const EnergyBalance& balance) { balance_ = balance; }
@@ -38,6 +44,7 @@ class Monitors {
     std::vector<mesh::NamedFacet> facets;  ///< of gap and flux
     Probe probe, other;                    ///< of displacement and pressures
     std::optional<fsi::Body> body;         ///< of force
+    std::optional<Glottis> glottis;
   };
   Bound bind(const MonitorSettings& monitor) const;
   void find_facets(Bound& bound) const;
