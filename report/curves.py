@@ -9,7 +9,8 @@ import style
 NUMERICS = {"step", "time_s", "dt_s", "newton_iterations"}
 FIRST = ["gap", "area", "flow", "drag", "lift"]
 UNITS = {"m": ("m", 1), "m2_s": ("m²/s", 1), "m3_s": ("m³/s", 1), "N": ("N", 1), "Pa": ("Pa", 1), "Hz": ("Hz", 1),
-         "m2": ("m²", 1), "m_s": ("m/s", 1), "s": ("s", 1), "dB": ("dB", 1), "J": ("J", 1), "K": ("K", 1)}
+         "m2": ("m²", 1), "m2_s2": ("m²/s²", 1), "m3_s2": ("m³/s²", 1),
+         "m_s": ("m/s", 1), "s": ("s", 1), "dB": ("dB", 1), "J": ("J", 1), "K": ("K", 1)}
 SMALLER = {"m": [(1e-3, "mm"), (1e-6, "µm")], "m²/s": [(1e-4, "cm²/s")], "m³/s": [(1e-6, "cm³/s")],
            "m²": [(1e-6, "mm²")], "N": [(1e-3, "mN")], "s": [(1e-3, "ms")], "Pa": [(1e-3, "mPa"), (1e-6, "µPa")]}
 

@@ -6,6 +6,7 @@ import sys
 
 import curves
 import page
+import phonation
 import pictures
 import spectrogram
 from read_run import Run
@@ -36,6 +37,12 @@ def sections(run, folder):
                           lambda: pictures.pressure(run, folder))))
     found.append(("Over time", section("monitors", "Monitors over time.", history,
                                        lambda: curves.monitors(history, folder))))
+    phonates = history if phonation.glottis(run) else None
+    found.append(("Phonation", section("kymogram", "Opening of the glottis along the flow against time; red: closed.",
+                                       run.kymogram, lambda: phonation.kymogram(run.kymogram, folder)) +
+                  section("glottal_waves", "The last cycles.", phonates, lambda: phonation.waves(run, folder)) +
+                  section("phase_portrait", "Phase portraits of the last cycles.", phonates,
+                          lambda: phonation.portraits(run, folder))))
     found.append(("Sound", section("sound", "Acoustic pressure at one instant.", fields,
                                    lambda: pictures.sound(run, folder)) +
                   section("microphones", "Acoustic pressure at the microphones.", microphones,

@@ -53,6 +53,8 @@ class Run:
         self.microphones = self._try("microphones.csv", Table)
         self.spectra = self._try("spectra.csv", Table)
         self.fields = self._try("fields.h5", read_fields)
+        kymograms = sorted(self.folder.glob("kymogram_*.csv"))
+        self.kymogram = self._try(kymograms[0].name, Table) if kymograms else None
 
     def _try(self, name, reader):
         path = self.folder / name

@@ -13,6 +13,7 @@
 #include "core/mesh/facets.hpp"
 #include "coupling/monitors/line_flux.hpp"
 #include "fsi_solver/continuum.hpp"
+#include "fsi_solver/measures/contact_load.hpp"
 
 namespace vocalis::coupling {
 
@@ -120,6 +121,23 @@ double largest_speed(const fsi::FsiSolver& flow) {
   return std::sqrt(base::largest(continuum.mesh->comm, largest));
 }
 
+/// The largest pressure [Pa] that a contact cell on the surface of a fold bears across the glottis, as a mean over the
+/// cell, at the stage of the last step; 0 without contact. Collective.
+double impact_stress(const fsi::FsiSolver& flow, const Glottis& glottis) {
+  const mesh::Mesh& mesh = *flow.continuum().mesh;
+  const std::vector<char>& in_contact = flow.state().in_contact;
+  double largest = 0;
+  if (std::count(in_contact.begin(), in_contact.end(), 1) > 0) {
+    std::vector<double> normal(static_cast<std::size_t>(mesh.num_cells()) * mesh.dimension, 0.0);
+    for (std::size_t i = glottis.grid.across; i < normal.size(); i += mesh.dimension) normal[i] = 1;
+    const fsi::ContactLoad load = fsi::contact_load(flow, normal);
+    for (const Glottis::Fold& fold : glottis.folds) {
+      for (const mesh::NamedFacet& facet : fold.facets) largest = std::max(largest, -load.normal_stress[facet.cell]);
+    }
+  }
+  return base::largest(mesh.comm, largest);
+}
+
 }  // namespace
 
 Glottis make_glottis(const fsi::FsiSolver& flow, const MonitorSettings& settings,
@@ -209,6 +227,7 @@ std::vector<double> glottis_values(const fsi::FsiSolver& flow, const Glottis& gl
     values.push_back(flow_past_folds(flow, glottis, opening, points, cell_is_fluid) * (depth > 0 ? depth : 1));
   }
   values.push_back(largest_speed(flow));
+  values.push_back(impact_stress(flow, glottis));
   const std::vector<char>& marks = flow.state().in_contact;
   values.push_back(static_cast<double>(base::sum(
       comm,

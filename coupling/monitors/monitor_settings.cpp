@@ -9,6 +9,7 @@ std::vector<MonitorColumn> columns_of_glottis(const MonitorSettings& monitor, in
   if (dimension == 3 || monitor.depth > 0) columns.push_back({monitor.name + "_area", "_m2"});
   if (dimension == 2) columns.push_back({monitor.name + "_flow", monitor.depth > 0 ? "_m3_s" : "_m2_s"});
   columns.push_back({monitor.name + "_speed", "_m_s"});
+  columns.push_back({monitor.name + "_impact_stress", "_Pa"});
   columns.push_back({monitor.name + "_contact", ""});
   return columns;
 }

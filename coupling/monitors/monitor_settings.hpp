@@ -47,7 +47,8 @@ struct MonitorColumn {
 };
 
 /// The columns of a monitor, in order. Those of a glottis: its smallest gap, its smallest area (in the plane only with
-/// a depth), in the plane the flow past the folds there, the largest speed of the fluid, the number of contact cells.
+/// a depth), in the plane the flow past the folds there, the largest speed of the fluid, the largest
+/// pressure between the folds where they touch, the number of contact cells.
 std::vector<MonitorColumn> columns_of(const MonitorSettings& monitor, int dimension);
 
 }  // namespace vocalis::coupling

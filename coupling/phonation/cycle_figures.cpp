@@ -38,12 +38,12 @@ double mean(Series times, Series values, double begin, double end) {
   return sum / (end - begin);
 }
 
-/// A sample tells of the step that ended there: it counts if the glottis was closed before that step and after it.
+/// A sample tells of the step that ended there: the opening is 0 if the glottis was sealed during the whole of it.
 double largest_leak(const PhonationSeries& series, double begin, double end) {
   double leak = 0;
-  for (std::size_t i = 1; i < series.times.size(); ++i) {
+  for (std::size_t i = 0; i < series.times.size(); ++i) {
     if (series.times[i] < begin || series.times[i] > end) continue;
-    if (series.opening[i - 1] > 0 || series.opening[i] > 0) continue;
+    if (series.opening[i] > 0) continue;
     leak = std::max(leak, std::abs(series.glottal_flow[i]));
   }
   return leak;

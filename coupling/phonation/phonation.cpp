@@ -60,6 +60,8 @@ std::optional<Recorded> find_series(const Case& config, const MonitorSettings& g
       recorded.flow_unit = unit.substr(1);
     } else if (quantity == "speed") {
       series.speed = values;
+    } else if (quantity == "impact_stress") {
+      series.impact_stress = values;
     }
   }
   if (series.opening.empty()) return {};
@@ -92,6 +94,7 @@ Named named(const CycleFigures& figures, const Recorded& recorded) {
   add("flow_declination_" + unit + "2", !series.flow.empty(), figures.declination);
   add("speed_peak_m_s", !series.speed.empty(), figures.peak_speed);
   add("jet_speed_m_s", !series.flow.empty(), figures.jet_speed);
+  add("impact_stress_Pa", !series.impact_stress.empty(), figures.impact_stress);
   add("leak", !series.glottal_flow.empty(), figures.leak);
   return result;
 }

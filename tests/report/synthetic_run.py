@@ -28,6 +28,15 @@ group = "midline"
 kind = "symmetry"
 """
 
+GLOTTIS = """
+[[monitor]]
+name = "folds"
+kind = "glottis"
+[[monitor]]
+name = "flow"
+kind = "flux"
+"""
+
 
 def plane_mesh():
     """A duct 0 < x < 60 mm, y < 10 mm with a block in it (region 1), then a room 60 < x < 90 mm, y < 30 mm."""
@@ -144,6 +153,22 @@ def voice(folder):
         "expected": {"F1_Hz.mouth": {"value": 226, "tolerance": 7, "source": "one-dimensional tract", "error": -4.6},
                      "F2_Hz.mouth": {"value": 2200, "tolerance": 50, "source": "made up", "error": 283}}}
     (folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+
+
+def phonation(folder):
+    """What a run adds to `voice` when a glottis is watched: folds that close for a part of each cycle."""
+    voice(folder)
+    (folder / "resolved.toml").write_text(RESOLVED + GLOTTIS, encoding="utf-8")
+    time = numpy.arange(0, 0.08, 5e-5)
+    gap = numpy.maximum(0, 5e-4 * numpy.sin(2 * math.pi * 110 * time))
+    write_columns(folder / "history.csv", {}, {"step": numpy.arange(time.size), "time_s": time, "flow_m2_s": 20 * gap,
+                                               "folds_gap_m": gap, "folds_area_m2": 0.015 * gap})
+    places = numpy.linspace(0, 0.008, 40)
+    bowl = 1e-3 * ((places - 0.006) / 0.002) ** 2
+    opening = {f"opening_m.{place:.9g}": numpy.where(gap > 0, gap + more, 0) if more < 1e-4 else gap + more
+               for place, more in zip(places, bowl)}
+    opening[f"opening_m.{places[0]:.9g}"][:] = numpy.nan
+    write_columns(folder / "kymogram_folds.csv", {}, {"step": numpy.arange(time.size), "time_s": time, **opening})
 
 
 def tract(folder):

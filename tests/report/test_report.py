@@ -15,6 +15,7 @@ import numpy  # noqa: E402
 import curves  # noqa: E402
 import fields  # noqa: E402
 import make_report  # noqa: E402
+import phonation  # noqa: E402
 import spectrogram  # noqa: E402
 import synthetic_run  # noqa: E402
 from read_run import Run  # noqa: E402
@@ -72,6 +73,20 @@ class ReportTest(unittest.TestCase):
         self.assertIn("<audio", (self.folder / "report.html").read_text(encoding="utf-8"))
         for text in ("synthetic voice", "within", "outside", "312 MiB", "one-dimensional tract"):
             self.assertIn(text, page.text)
+
+    def test_folds_that_phonate_have_kymogram_waves_and_portraits(self):
+        synthetic_run.phonation(self.folder)
+        page = self.report()
+        self.assertLessEqual({"kymogram", "glottal_waves", "phase_portrait"}, self.pictures())
+        self.assertNotIn("Not shown", page.text)
+        run = Run(self.folder)
+        self.assertEqual(phonation.glottis(run), "folds")
+        self.assertEqual(phonation.flow_of(run, "folds")[0], "flow_m2_s")
+        del run.history.columns["flow_m2_s"]
+        self.assertEqual(phonation.flow_of(run, "folds"), (None, None))
+        run.summary["results"]["folds_f0_Hz"] = 100.0
+        time = run.history.columns["time_s"][phonation.last_cycles(run, "folds")]
+        self.assertAlmostEqual(time[-1] - time[0], 0.05, delta=1e-4)
 
     def test_acoustics_alone_in_space_shows_a_cut_and_says_what_is_missing(self):
         synthetic_run.tract(self.folder)

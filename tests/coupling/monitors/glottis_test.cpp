@@ -157,7 +157,8 @@ TEST_CASE("in space the area is the width integrated over the folds' length") {
     }
     CHECK(opening.gap == Approx(0.9 - 0.15 * 1.95 - 0.2 * (0.5 - 0.03125)));
     CHECK(plates.columns(glottis_of("top", "bottom")) ==
-          std::vector<std::string>{"glottis_gap_m", "glottis_area_m2", "glottis_speed_m_s", "glottis_contact"});
+          std::vector<std::string>{"glottis_gap_m", "glottis_area_m2", "glottis_speed_m_s", "glottis_impact_stress_Pa",
+                                   "glottis_contact"});
   }
 }
 
@@ -195,16 +196,18 @@ TEST_CASE("the flow past the folds is that relative to the mesh, per metre or of
     MonitorSettings settings = glottis_of("top", "bottom");
     const double gap = 0.9 - 0.15 * 1.95;
     std::vector<double> values = plates.values(settings);
-    REQUIRE_ON_ALL_RANKS(values.size() == 4);
-    CHECK(plates.columns(settings) ==
-          std::vector<std::string>{"glottis_gap_m", "glottis_flow_m2_s", "glottis_speed_m_s", "glottis_contact"});
+    REQUIRE_ON_ALL_RANKS(values.size() == 5);
+    CHECK(plates.columns(settings) == std::vector<std::string>{"glottis_gap_m", "glottis_flow_m2_s",
+                                                               "glottis_speed_m_s", "glottis_impact_stress_Pa",
+                                                               "glottis_contact"});
     CHECK(values[0] == Approx(gap));
     CHECK(values[1] == Approx(1.5 * gap));
     CHECK(values[2] == Approx(1.5 * std::hypot(2, 7)));
     CHECK(values[3] == 0);
+    CHECK(values[4] == 0);
     settings.depth = 0.3;
     values = plates.values(settings);
-    REQUIRE_ON_ALL_RANKS(values.size() == 5);
+    REQUIRE_ON_ALL_RANKS(values.size() == 6);
     CHECK(plates.columns(settings)[1] == "glottis_area_m2");
     CHECK(plates.columns(settings)[2] == "glottis_flow_m3_s");
     CHECK(values[1] == Approx(0.3 * gap));
@@ -221,9 +224,43 @@ TEST_CASE("air may flow along y, between a fold on the left and a plane on its r
   settings.axis = 0;
   settings.along = 1;
   const std::vector<double> values = plates.values(settings);
-  REQUIRE_ON_ALL_RANKS(values.size() == 4);
+  REQUIRE_ON_ALL_RANKS(values.size() == 5);
   CHECK(values[0] == Approx(3));
   CHECK(values[1] == Approx(3 * 1.5));
+}
+
+TEST_CASE("the impact stress is what presses the folds together") {
+  // A block of tissue lies on another through a sealed layer, and its own weight on it.
+  auto scene = test::box_scene({1, 1, 0}, {4, 6, 0}, [](const fem::Point& centre) {
+    return centre[1] < 1.0 / 3 ? RegionKind::fluid : RegionKind::solid;
+  });
+  for (const fsi::Elements elements : both_elements) {
+    fsi::FlowSettings settings;
+    settings.elements = elements;
+    settings.gravity = {0, -10, 0};
+    settings.solids = {{.region = "solid", .density = 1000, .young_modulus = 1e7, .poisson_ratio = 0, .damping = 1e4}};
+    settings.contact = fsi::ContactMedium{.young_modulus = 1e7, .damping = 1e4};
+    for (const char* side : {"left", "right", "bottom"}) {
+      settings.boundaries.push_back({.group = side, .kind = fsi::FlowBoundaryKind::symmetry});
+    }
+    fsi::FsiSolver flow(scene->flow->mesh, settings, {.end = 1, .step = 0.01, .scheme = fsi::TimeScheme::bdf2});
+    MonitorSettings sealed = half_of("bottom", 1);
+    const Monitors monitors(flow, {sealed});
+    std::vector<char> marks(scene->flow->mesh.num_cells());
+    for (std::size_t cell = 0; cell < marks.size(); ++cell) marks[cell] = scene->flow->mesh.cell_region[cell] == 0;
+    flow.set_contact(marks);
+    for (int step = 0; step < 10; ++step) {
+      const fsi::StepReport report = flow.try_step(0.01);
+      INFO(step << ": " << report.reason);
+      REQUIRE_ON_ALL_RANKS(report.converged);
+      flow.accept();
+    }
+    const std::vector<double> values = monitors.evaluate();
+    REQUIRE_ON_ALL_RANKS(values.size() == 5);
+    CHECK(values[0] == 0);
+    CHECK(std::abs(values[1]) < 1e-6);  // m^2/s: nothing passes a medium that goes with the mesh
+    CHECK(values[3] == Approx(1000 * 10 * 2.0 / 3).epsilon(0.02));
+  }
 }
 
 TEST_CASE("folds that the flow's mesh lacks, or that do not face each other, are refused") {

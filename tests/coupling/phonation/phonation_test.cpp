@@ -38,7 +38,8 @@ io::Series history_of(double length) {
   history.columns = {"time_s", "folds_gap_m"};
   if (length > 0) history.columns.push_back("folds_area_m2");
   history.columns.push_back(length > 0 ? "folds_flow_m3_s" : "folds_flow_m2_s");
-  for (const char* name : {"folds_speed_m_s", "folds_contact", "mouth_m2_s", "tip_x_m", "tip_y_m"}) {
+  for (const char* name :
+       {"folds_speed_m_s", "folds_impact_stress_Pa", "folds_contact", "mouth_m2_s", "tip_x_m", "tip_y_m"}) {
     history.columns.emplace_back(name);
   }
   history.values.resize(history.columns.size());
@@ -48,7 +49,8 @@ io::Series history_of(double length) {
     std::vector<double> row = {t, gap};
     if (length > 0) row.push_back(gap * length);
     row.push_back((gap > 0 ? 20 * gap : 1e-5) * scale);
-    for (const double value : {30 + 1e3 * gap, gap > 0 ? 0.0 : 12.0, 20 * gap, 0.0, 0.5 * gap}) row.push_back(value);
+    for (const double value : {30 + 1e3 * gap, gap > 0 ? 0.0 : 700.0, gap > 0 ? 0.0 : 12.0, 20 * gap, 0.0, 0.5 * gap})
+      row.push_back(value);
     for (std::size_t c = 0; c < row.size(); ++c) history.values[c].push_back(row[c]);
   }
   return history;
@@ -58,10 +60,11 @@ io::Series history_of(double length) {
 
 TEST_CASE("a run's phonation carries the monitor's name, and units of its folds' length", "[serial]") {
   const Phonation with_depth = analyse_phonation(larynx(depth), history_of(depth));
-  CHECK(with_depth.columns ==
-        std::vector<std::string>{"begin_s", "f0_Hz", "open_quotient", "closing_quotient", "speed_quotient",
-                                 "area_peak_m2", "flow_peak_m3_s", "flow_mean_m3_s", "flow_declination_m3_s2",
-                                 "speed_peak_m_s", "jet_speed_m_s", "leak", "tip_x_amplitude_m", "tip_y_amplitude_m"});
+  CHECK(with_depth.columns == std::vector<std::string>{"begin_s", "f0_Hz", "open_quotient", "closing_quotient",
+                                                       "speed_quotient", "area_peak_m2", "flow_peak_m3_s",
+                                                       "flow_mean_m3_s", "flow_declination_m3_s2", "speed_peak_m_s",
+                                                       "jet_speed_m_s", "impact_stress_Pa", "leak", "tip_x_amplitude_m",
+                                                       "tip_y_amplitude_m"});
   CHECK(with_depth.cycles.size() == 12);
   const auto& results = with_depth.results;
   CHECK(results.at("folds_f0_Hz") == Approx(125).epsilon(1e-4));
@@ -73,6 +76,7 @@ TEST_CASE("a run's phonation carries the monitor's name, and units of its folds'
   CHECK(results.at("folds_flow_declination_m3_s2") == Approx(0.02 * depth / 1.5e-3).epsilon(1e-3));
   CHECK(results.at("folds_speed_peak_m_s") == Approx(31).epsilon(0.01));
   CHECK(results.at("folds_leak") == Approx(1e-5 / 0.02).epsilon(0.01));
+  CHECK(results.at("folds_impact_stress_Pa") == 700);
   CHECK(results.at("folds_closures") == 12);
   CHECK(results.at("folds_cycles") == 12);
   CHECK(results.at("tip_x_amplitude_m") == 0);
