@@ -233,6 +233,54 @@ groups = ["flag"]
   CHECK_THAT(message_of(folder, text, {"monitor.flag.groups=flag"}), Contains("an array of texts"));
 }
 
+TEST_CASE("a glottis lies between two folds, or between one and a plane") {
+  const Folder folder;
+  const std::string text = R"([case]
+name = "glottis"
+[mesh]
+geometry = "example.geo"
+[[region]]
+name = "air"
+kind = "fluid"
+[flow]
+[time]
+end = 1
+dt = 0.1
+[[monitor]]
+name = "half"
+kind = "glottis"
+group = "fold"
+mirrored = true
+depth = 0.015
+[[monitor]]
+name = "whole"
+kind = "glottis"
+group = "left"
+other_group = "right"
+axis = "x"
+along = "z"
+stations = 30
+[output]
+kymogram_interval = 2e-4
+)";
+  const Case config = read_case(MPI_COMM_WORLD, folder.write(text), {});
+  REQUIRE(config.monitors.size() == 2);
+  CHECK(config.monitors[0].axis == 1);
+  CHECK(config.monitors[0].along == 0);
+  CHECK(config.monitors[0].mirrored);
+  CHECK(config.monitors[0].depth == 0.015);
+  CHECK(config.monitors[1].other_group == "right");
+  CHECK(config.monitors[1].axis == 0);
+  CHECK(config.monitors[1].along == 2);
+  CHECK(config.monitors[1].stations == 30);
+  CHECK(config.output.kymogram_interval == 2e-4);
+  const Case again = read_case(MPI_COMM_WORLD, folder.write(config.resolved), {});
+  CHECK(again.resolved == config.resolved);
+  CHECK_THAT(message_of(folder, text, {"monitor.whole.mirrored=true"}), Contains("a second fold, or a plane"));
+  CHECK_THAT(message_of(folder, text, {"monitor.half.along=y"}), Contains("another axis"));
+  CHECK_THAT(message_of(folder, text, {"monitor.half.stations=1"}), Contains("from 2 to 10000"));
+}
+
 TEST_CASE("the resolved case reads as the same case") {
   const Folder folder;
   const Case config = read_case(MPI_COMM_WORLD, folder.write(example), {"time.dt=5e-6", "acoustic.far.density=1.1"});
