@@ -25,7 +25,7 @@ struct ChannelSound {
 
 /// What a finished run says: figures by name, each name with its unit (f0_Hz, F1_Hz, SPL_dB.mouth, gap_peak_m, ...).
 /// Of the monitors' columns it says what the case's statistics ask for (see `statistics`), or else what a voice is made
-/// of: peak and least gap, vibration, mean flow.
+/// of: peak and least gap, vibration, mean flow, and the cycles of the glottis (see `analyse_phonation`).
 struct Figures {
   std::map<std::string, double> values;
   std::string vibration;  ///< "grows", "holds", "decays" or "none": the folds' amplitude from period to period
@@ -41,9 +41,9 @@ std::string microphones_file(const Case& config, std::size_t solver);
 /// Column of the prescribed source in microphones.csv [m/s].
 inline constexpr const char* source_column = "source_m_s";
 
-/// Reads history.csv and microphones.csv of a run folder and computes all figures; writes spectra.csv, harmonics.csv
-/// and one .wav per microphone. One rank, not collective. Throws UserError if a file is missing, or has not the case's
-/// columns.
+/// Reads history.csv and microphones.csv of a run folder and computes all figures; writes periods.csv, spectra.csv,
+/// harmonics.csv and one .wav per microphone. One rank, not collective. Throws UserError if a file is missing, or has
+/// not the case's columns.
 Figures evaluate_run(const Case& config, const std::string& folder);
 
 }  // namespace vocalis::coupling

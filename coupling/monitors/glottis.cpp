@@ -84,6 +84,24 @@ void check_axes(const MonitorSettings& settings, int dimension) {
                   fmt::format("{}", settings.depth), "leave it out: the mesh has the folds' length");
 }
 
+/// What lies between the folds over the grid.
+struct Gap {
+  std::vector<double> low, high;  ///< [m] its ends: a fold or the plane; infinite where no fold is
+  std::vector<char> is_sealed;    ///< by contact cells, on all sides that have a fold
+};
+
+Gap find_gap(const fsi::FsiSolver& flow, const Glottis& glottis, std::span<const double> points) {
+  const std::vector<double> plane(glottis.grid.size(), glottis.settings.plane);
+  Gap gap = {plane, plane, std::vector<char>(plane.size(), 1)};
+  for (const Glottis::Fold& fold : glottis.folds) {
+    const FoldProfile profile =
+        fold_profile(flow.velocity_space(), points, fold.facets, glottis.grid, fold.side, flow.state().in_contact);
+    (fold.side > 0 ? gap.high : gap.low) = profile.nearest;
+    for (std::size_t i = 0; i < plane.size(); ++i) gap.is_sealed[i] = gap.is_sealed[i] && profile.is_sealed[i];
+  }
+  return gap;
+}
+
 /// The station in the middle of the longest row of stations without any area.
 int middle_of_seal(const std::vector<double>& areas) {
   int middle = 0, longest = 0, length = 0;
@@ -165,17 +183,8 @@ Glottis make_glottis(const fsi::FsiSolver& flow, const MonitorSettings& settings
 
 GlottalOpening measure_opening(const fsi::FsiSolver& flow, const Glottis& glottis, std::span<const double> points) {
   const FoldGrid& grid = glottis.grid;
-  const double plane = glottis.settings.plane, factor = glottis.settings.mirrored ? 2 : 1;
-  // Lower and upper end of the gap; both infinite where no fold is
-  std::array<std::vector<double>, 2> ends = {std::vector<double>(grid.size(), plane),
-                                             std::vector<double>(grid.size(), plane)};
-  std::vector<char> is_sealed(grid.size(), 1);  // on all sides that have a fold
-  for (const Glottis::Fold& fold : glottis.folds) {
-    const FoldProfile profile =
-        fold_profile(flow.velocity_space(), points, fold.facets, grid, fold.side, flow.state().in_contact);
-    ends[fold.side > 0 ? 1 : 0] = profile.nearest;
-    for (std::size_t i = 0; i < grid.size(); ++i) is_sealed[i] = is_sealed[i] && profile.is_sealed[i];
-  }
+  const double factor = glottis.settings.mirrored ? 2 : 1;
+  const Gap gap = find_gap(flow, glottis, points);
   GlottalOpening opening;
   opening.area = opening.gap = std::numeric_limits<double>::infinity();
   const double span_step = grid.span.step();
@@ -183,7 +192,7 @@ GlottalOpening measure_opening(const fsi::FsiSolver& flow, const Glottis& glotti
     double& area = opening.areas.emplace_back(0);
     for (int j = 0; j < grid.span.count; ++j) {
       const std::size_t place = static_cast<std::size_t>(i) * grid.span.count + j;
-      const double width = factor * std::max(0.0, is_sealed[place] ? 0.0 : ends[1][place] - ends[0][place]);
+      const double width = factor * std::max(0.0, gap.is_sealed[place] ? 0.0 : gap.high[place] - gap.low[place]);
       opening.gap = std::min(opening.gap, width);
       area += width * span_step;
     }
@@ -194,8 +203,8 @@ GlottalOpening measure_opening(const fsi::FsiSolver& flow, const Glottis& glotti
   }
   if (opening.area == 0) opening.narrowest = middle_of_seal(opening.areas);
   const std::size_t narrowest = static_cast<std::size_t>(opening.narrowest) * grid.span.count;
-  opening.low = ends[0][narrowest];
-  opening.high = ends[1][narrowest];
+  opening.low = gap.low[narrowest];
+  opening.high = gap.high[narrowest];
   return opening;
 }
 
