@@ -140,20 +140,23 @@ double largest_speed(const fsi::FsiSolver& flow) {
 }
 
 /// The largest pressure [Pa] that a contact cell on the surface of a fold bears across the glottis, as a mean over the
-/// cell, at the stage of the last step; 0 without contact. Collective.
+/// cell, at the stage of the last step. Collective.
 double impact_stress(const fsi::FsiSolver& flow, const Glottis& glottis) {
   const mesh::Mesh& mesh = *flow.continuum().mesh;
-  const std::vector<char>& in_contact = flow.state().in_contact;
+  std::vector<double> normal(static_cast<std::size_t>(mesh.num_cells()) * mesh.dimension, 0.0);
+  for (std::size_t i = glottis.grid.across; i < normal.size(); i += mesh.dimension) normal[i] = 1;
+  const fsi::ContactLoad load = fsi::contact_load(flow, normal);
   double largest = 0;
-  if (std::count(in_contact.begin(), in_contact.end(), 1) > 0) {
-    std::vector<double> normal(static_cast<std::size_t>(mesh.num_cells()) * mesh.dimension, 0.0);
-    for (std::size_t i = glottis.grid.across; i < normal.size(); i += mesh.dimension) normal[i] = 1;
-    const fsi::ContactLoad load = fsi::contact_load(flow, normal);
-    for (const Glottis::Fold& fold : glottis.folds) {
-      for (const mesh::NamedFacet& facet : fold.facets) largest = std::max(largest, -load.normal_stress[facet.cell]);
-    }
+  for (const Glottis::Fold& fold : glottis.folds) {
+    for (const mesh::NamedFacet& facet : fold.facets) largest = std::max(largest, -load.normal_stress[facet.cell]);
   }
   return base::largest(mesh.comm, largest);
+}
+
+/// Contact cells of all ranks. Collective.
+std::int64_t count_contact_cells(const fsi::FsiSolver& flow) {
+  const std::vector<char>& marks = flow.state().in_contact;
+  return base::sum(flow.continuum().mesh->comm, static_cast<std::int64_t>(std::count(marks.begin(), marks.end(), 1)));
 }
 
 }  // namespace
@@ -226,7 +229,6 @@ double flow_past_folds(const fsi::FsiSolver& flow, const Glottis& glottis, const
 
 std::vector<double> glottis_values(const fsi::FsiSolver& flow, const Glottis& glottis, std::span<const double> points,
                                    const std::vector<std::int32_t>& cell_is_fluid) {
-  const MPI_Comm comm = flow.continuum().mesh->comm;
   const double depth = glottis.settings.depth;
   const bool is_plane = flow.continuum().mesh->dimension == 2;
   const GlottalOpening opening = measure_opening(flow, glottis, points);
@@ -236,11 +238,9 @@ std::vector<double> glottis_values(const fsi::FsiSolver& flow, const Glottis& gl
     values.push_back(flow_past_folds(flow, glottis, opening, points, cell_is_fluid) * (depth > 0 ? depth : 1));
   }
   values.push_back(largest_speed(flow));
-  values.push_back(impact_stress(flow, glottis));
-  const std::vector<char>& marks = flow.state().in_contact;
-  values.push_back(static_cast<double>(base::sum(
-      comm,
-      static_cast<std::int64_t>(std::count_if(marks.begin(), marks.end(), [](char mark) { return mark != 0; })))));
+  const std::int64_t contact_cells = count_contact_cells(flow);
+  values.push_back(contact_cells > 0 ? impact_stress(flow, glottis) : 0);
+  values.push_back(static_cast<double>(contact_cells));
   return values;
 }
 
