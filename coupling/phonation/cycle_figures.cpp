@@ -39,12 +39,12 @@ double mean(Series times, Series values, double begin, double end) {
 }
 
 /// A sample tells of the step that ended there: the opening is 0 if the glottis was sealed during the whole of it.
-double largest_leak(const PhonationSeries& series, double begin, double end) {
-  double leak = 0;
+std::optional<double> largest_leak(const PhonationSeries& series, double begin, double end) {
+  std::optional<double> leak;
   for (std::size_t i = 0; i < series.times.size(); ++i) {
     if (series.times[i] < begin || series.times[i] > end) continue;
     if (series.opening[i] > 0) continue;
-    leak = std::max(leak, std::abs(series.glottal_flow[i]));
+    leak = std::max(leak.value_or(0), std::abs(series.glottal_flow[i]));
   }
   return leak;
 }
@@ -85,9 +85,8 @@ CycleFigures measure_cycle(const GlottalCycle& cycle, const PhonationSeries& ser
   if (opening > 0) figures.jet_speed = *figures.peak_flow / opening;
   figures.mean_flow = mean(times, series.flow, begin, end);
   figures.declination = flow_declination(times, series.flow, begin, end);
-  if (!series.glottal_flow.empty() && cycle.closed) {
-    figures.leak = largest_leak(series, begin, end) / *figures.peak_flow;
-  }
+  if (series.glottal_flow.empty()) return figures;
+  if (const auto leak = largest_leak(series, begin, end)) figures.leak = *leak / *figures.peak_flow;
   return figures;
 }
 

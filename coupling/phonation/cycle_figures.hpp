@@ -33,7 +33,7 @@ struct CycleFigures {
   std::optional<double> declination;    ///< largest fall of the flow, see `flow_declination` [m^3/s^2; m^2/s^2]
   std::optional<double> peak_speed;     ///< the largest speed of the air
   std::optional<double> jet_speed;      ///< peak_flow over the opening at that instant [m/s]; none if it is closed
-  std::optional<double> leak;           ///< largest |glottal flow| while closed, over peak_flow
+  std::optional<double> leak;           ///< largest |glottal flow| while closed, over peak_flow; none if it is never
   std::optional<double> impact_stress;  ///< the largest
   std::vector<double> amplitudes;       ///< (largest - smallest) / 2 of each displacement
 };
