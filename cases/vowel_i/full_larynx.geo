@@ -18,13 +18,18 @@ tract_start = 0.0078070 * (left_scale > right_scale ? left_scale : right_scale);
 tract_wall_start = tract_start + ventricle_length;
 Include "planar_tract.geo";
 l_entry = newl; Line(l_entry) = {p_tract_bottom, p_tract_top};
-loop = newll; Curve Loop(loop) = {tract_midline(), l_mouth, -tract_wall(), -l_entry};
-s_tract = news; Plane Surface(s_tract) = {loop};
-below() = Symmetry {0, 1, 0, 0} { Duplicata { Surface{s_tract, s_room}; } };
-b_tract() = Abs(Boundary{ Surface{below(0)}; });  // in the order of the loop
+loop = newll; Curve Loop(loop) = {flow_midline(), l_outlet, -flow_wall(), -l_entry};
+s_above = news; Plane Surface(s_above) = {loop};
+below() = Symmetry {0, 1, 0, 0} { Duplicata { Surface{s_above, air()}; } };
+b_flow() = Abs(Boundary{ Surface{below(0)}; });  // in the order of the loop
 b_room() = Abs(Boundary{ Surface{below(1)}; });
-walls_below() = b_tract({#tract_midline() + 1 : #b_tract() - 2});
-l_entry_below = b_tract(#b_tract() - 1);
+outlet_below = b_flow(#flow_midline());
+walls_below() = b_flow({#flow_midline() + 1 : #b_flow() - 2});
+l_entry_below = b_flow(#b_flow() - 1);
+If (#air() > 1)
+  b_tract() = Abs(Boundary{ Surface{below(2)}; });
+  walls_below() += b_tract({n - flow_end : #b_tract() - 2});
+EndIf
 entry_points() = PointsOf{ Curve{l_entry_below}; };  // its wall's point, then that of y = 0
 
 fold_x = 0;
@@ -55,7 +60,7 @@ Curve Loop(loop) = {lungs, l_subglottal, fold_surface(), l_ventricle, l_roof, l_
                     -left_walls(), -left_surface()};
 s_larynx = news; Plane Surface(s_larynx) = {loop};
 
-Physical Surface("flow") = {s_larynx, s_tract, below(0)};
+Physical Surface("flow") = {s_larynx, s_above, below(0)};
 If (cover_thickness > 0)
   Physical Surface("cover_left") = {left_layers(0)};
   Physical Surface("cover_right") = {s_cover};
@@ -66,9 +71,10 @@ If (ligament_thickness > 0)
 EndIf
 Physical Surface("body_left") = {left_layers(layers)};
 Physical Surface("body_right") = {s_body};
-Physical Surface("room") = {s_room, below(1)};
+Physical Surface("air") = {air(), below({1 : #below() - 1})};
 Physical Curve("lungs") = {lungs};
 Physical Curve("walls") = {left_walls(), right_walls(), tract_wall(), walls_below()};
+Physical Curve("outlet") = {l_outlet, outlet_below};
 Physical Curve("mouth") = {l_mouth, b_room(3)};
 Physical Curve("baffle") = {room_baffle, b_room(2)};
 Physical Curve("open") = {room_arc, b_room(1)};
