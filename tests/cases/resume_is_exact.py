@@ -18,6 +18,8 @@ WITH_REJECTIONS = ("--set", "flow.newton_iterations=2", "--set", "time.end=1.5e-
 # A step that adapts: it does not converge, is too coarse, waits, grows.
 WITH_ADAPTATION = ("--set", "time.tolerance=1e-3", "--set", "time.smallest_dt=1e-7", "--set", "time.end=1e-4",
                    "--set", "flow.newton_iterations=2")
+# Folds that fall upon their mirror images: the air is stripped anew while the sound goes on.
+WITH_CONTACT = ("--set", "mesh.parameters.half_gap=6e-5", "--set", "contact.alpha=0.5", "--set", "flow.gravity=[0,-3000]")
 
 
 def compare_fields(program, one, other, what):
@@ -107,6 +109,14 @@ def test(program, folder):
     columns, values = read_series(whole / "history.csv")
     program.expect(len(set(values[columns.index("dt_s")])) > 4, f"{what}: dt {values[columns.index('dt_s')]}")
     stop_and_resume(program, 1, whole, run, (7, 10), folder / "adapting_stopped", what)
+
+    for ranks, stops in ((1, (9, 5)), (1, (15,)), (2, (12,))):
+        whole, run, what = folder / f"closing{ranks}", ("run", HERE / "larynx.toml", *WITH_CONTACT), f"closed on {ranks} ranks"
+        if not whole.exists():
+            program.expect_code(0, program.start(ranks, *run, "--out", whole), what)
+        summary = read_summary(whole)
+        program.expect(summary["results"]["acoustic_rebuilds.sound"] > 2, f"{what}: {summary}")
+        stop_and_resume(program, ranks, whole, run, stops, folder / f"closing{ranks}_{stops[0]}", what)
 
     # Sound alone, with a microphone outside of the mesh that the surface's past is still under way to.
     for ranks in (1, 3):

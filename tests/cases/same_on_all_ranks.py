@@ -9,7 +9,9 @@ from program import HERE, main, read_series, read_summary
 
 TOLERANCE = 1e-8  # above what iterative solvers leave (1e-10 to 1e-13 in these cases), below any other fault
 ABOUT_EFFORT = ("newton_iterations", "jacobians", "acoustic_iterations")  # these may differ
-CASES = ("larynx", "channel", "tube")
+# Folds that fall upon their mirror images: the sound goes on in the air that they leave.
+CLOSING = ("--set", "mesh.parameters.half_gap=6e-5", "--set", "contact.alpha=0.5", "--set", "flow.gravity=[0,-3000]")
+CASES = {"larynx": ("larynx",), "channel": ("channel",), "tube": ("tube",), "closing": ("larynx", *CLOSING)}
 
 
 def difference(one, other):
@@ -47,10 +49,10 @@ def compare_results(program, one, other, what):
 
 
 def test(program, folder):
-    for case in CASES:
+    for case, (file, *settings) in CASES.items():
         for ranks in (1, 2, 3, 4):
             run = folder / f"{case}{ranks}"
-            result = program.start(ranks, "run", HERE / f"{case}.toml", "--out", run)
+            result = program.start(ranks, "run", HERE / f"{file}.toml", *settings, "--out", run)
             if not program.expect_code(0, result, f"{case} on {ranks} ranks") or ranks == 1:
                 continue
             first = folder / f"{case}1"
