@@ -118,6 +118,14 @@ def test(program, folder):
         program.expect(summary["results"]["acoustic_rebuilds.sound"] > 2, f"{what}: {summary}")
         stop_and_resume(program, ranks, whole, run, stops, folder / f"closing{ranks}_{stops[0]}", what)
 
+    # In the midst of a closure: cells have just closed, are closed, have just opened.
+    for ranks in (1, 2):
+        whole, run, what = folder / f"touching{ranks}", ("run", HERE / "touching.toml"), f"touching on {ranks} ranks"
+        program.expect_code(0, program.start(ranks, *run, "--out", whole), what)
+        contact = read_summary(whole)["contact"]
+        program.expect(contact["closings"] > 1 and contact["closed_steps"] > 10, f"{what}: {contact}")
+        stop_and_resume(program, ranks, whole, run, (16, 3, 11), folder / f"touching_stopped{ranks}", what)
+
     # Sound alone, with a microphone outside of the mesh that the surface's past is still under way to.
     for ranks in (1, 3):
         whole, run, what = folder / f"tube{ranks}", ("run", HERE / "tube.toml"), f"sound alone on {ranks} ranks"
