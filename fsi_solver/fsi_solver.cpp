@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
 #include "fsi_solver/capture.hpp"
 #include "fsi_solver/solution/local_error.hpp"
@@ -122,6 +123,8 @@ double FsiSolver::set_contact(std::span<const char> in_contact) {
   Inside& in = *inside_;
   assert(in.continuum.contact >= 0 && in.motion);
   const std::vector<std::int32_t> solid_before = in.continuum.dof_solid;
+  std::int32_t closes = 0;
+  for (std::size_t cell = 0; cell < in_contact.size(); ++cell) closes |= in_contact[cell] && !in.state.in_contact[cell];
   vocalis::fsi::set_contact(in.continuum, in_contact, moved_points(in.continuum, in.state.displacement));
   in.motion->rebuild();
   in.newton->drop_jacobian();
@@ -133,7 +136,9 @@ double FsiSolver::set_contact(std::span<const char> in_contact) {
   in.motion->extend(smooth);
   in.state.mesh_offset.resize(here.size());
   for (std::size_t i = 0; i < here.size(); ++i) in.state.mesh_offset[i] = here[i] - smooth.values[i];
-  return capture(in.continuum, solid_before, in.settings.density, in.state);
+  const double lost = capture(in.continuum, solid_before, in.settings.density, in.state);
+  if (base::largest(in.continuum.mesh->comm, closes) > 0) in.state.last_dt = 0;
+  return lost;
 }
 
 const State& FsiSolver::state() const { return inside_->state; }

@@ -47,7 +47,9 @@ class FsiSolver {
 
   /// Makes these owned fluid cells contact cells, from the accepted state on, and lets go of all others. Needs
   /// FlowSettings::contact. The mesh stays where it is: where it is no longer held it comes back within
-  /// `mesh_recovery`. Returns the kinetic energy that the air in them loses, see `capture`. Collective.
+  /// `mesh_recovery`. Where cells close velocities jump: the next step begins anew, with backward Euler where the
+  /// scheme is BDF2, whose memory would carry the jump on. Returns the kinetic energy that the air in them loses, see
+  /// `capture`. Collective.
   double set_contact(std::span<const char> in_contact);
 
   const State& state() const;
