@@ -260,8 +260,8 @@ void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is
   }
 }
 
-/// All cells near closed ones, of which those that are in contact already stay a little longer, pockets
-/// and slivers.
+/// All cells near closed ones, of which those that are in contact already stay a little longer, pockets,
+/// slivers and what is about to be crushed.
 void ContactSearch::spread(const WallDistance& walls, std::span<const double> coordinates, const ContactState& before,
                            ContactProposal& proposal) const {
   const std::ptrdiff_t d = mesh_->dimension;
@@ -279,6 +279,8 @@ void ContactSearch::spread(const WallDistance& walls, std::span<const double> co
   for (std::size_t cell = 0; cell < width.size(); ++cell) width[cell] = pocket_width * settings_.alpha * length_[cell];
   const std::vector<char> pockets = find_pockets(walls, width, state.in_contact);
   for (std::size_t cell = 0; cell < pockets.size(); ++cell) state.in_contact[cell] |= pockets[cell];
+  const std::vector<char> crushed = find_crushed(walls, width, coordinates, state.in_contact);
+  for (std::size_t cell = 0; cell < crushed.size(); ++cell) state.in_contact[cell] |= crushed[cell];
   const std::vector<char> slivers = find_slivers(walls, state.in_contact);
   for (std::size_t cell = 0; cell < slivers.size(); ++cell) state.in_contact[cell] |= slivers[cell];
 }
