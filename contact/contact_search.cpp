@@ -60,7 +60,6 @@ std::array<double, 3> middle(const mesh::Mesh& mesh, std::int32_t cell, std::spa
 /// The closed cells of the axis of all ranks.
 struct ClosedCells {
   int dimension = 2;
-  std::size_t first = 0;                 ///< number of this rank's first one
   std::vector<double> middles, normals;  ///< (closed cells, dimension)
 
   std::size_t count() const { return normals.size() / dimension; }
@@ -84,7 +83,7 @@ struct ClosedCells {
 
 ClosedCells gather_closed(const mesh::Mesh& mesh, std::span<const double> coordinates, const ContactState& state) {
   const int d = mesh.dimension;
-  ClosedCells mine{d, 0, {}, {}};
+  ClosedCells mine{d, {}, {}};
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     if (state.closing_gap[cell] == 0) continue;
     const auto place = middle(mesh, cell, coordinates);
@@ -92,10 +91,7 @@ ClosedCells gather_closed(const mesh::Mesh& mesh, std::span<const double> coordi
     const double* normal = state.normal.data() + static_cast<std::size_t>(cell) * d;
     mine.normals.insert(mine.normals.end(), normal, normal + d);
   }
-  const auto counts = base::gather_all(mesh.comm, static_cast<std::int64_t>(mine.count()));
-  std::size_t first = 0;
-  for (int rank = 0; rank < base::rank(mesh.comm); ++rank) first += counts[rank];
-  return {d, first, base::concatenate_all(mesh.comm, mine.middles), base::concatenate_all(mesh.comm, mine.normals)};
+  return {d, base::concatenate_all(mesh.comm, mine.middles), base::concatenate_all(mesh.comm, mine.normals)};
 }
 
 /// Sums over contact cells: their number, normal stress, opening rate; those at the fluid, its pressure there.
@@ -200,14 +196,16 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
   return proposal;
 }
 
-/// Whether each cell of the axis that is closed shall open, judged by all contact cells that are nearest to it.
+/// Whether each contact cell is of a group that shall open: all that are nearest to one closed cell of the axis.
 std::vector<char> ContactSearch::find_parting(std::span<const double> coordinates, const ContactState& state,
                                               const ContactLoad& load) const {
   const ClosedCells closed = gather_closed(*mesh_, coordinates, state);
   std::vector<GroupLoad> groups(closed.count());
+  std::vector<std::size_t> cell_to_group(length_.size(), 0);
   for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
     if (!state.in_contact[cell] || groups.empty()) continue;
-    GroupLoad& group = groups[closed.nearest(middle(*mesh_, cell, coordinates)).index];
+    cell_to_group[cell] = closed.nearest(middle(*mesh_, cell, coordinates)).index;
+    GroupLoad& group = groups[cell_to_group[cell]];
     const double part[] = {1, load.normal_stress[cell], load.opening_rate[cell]};
     for (int i = 0; i < 3; ++i) group[i] += part[i];
     if (std::isnan(load.fluid_pressure[cell])) continue;
@@ -218,12 +216,11 @@ std::vector<char> ContactSearch::find_parting(std::span<const double> coordinate
     MPI_Allreduce(MPI_IN_PLACE, groups.data(), static_cast<int>(5 * groups.size()), MPI_DOUBLE, MPI_SUM, mesh_->comm);
   }
   std::vector<char> is_parting(length_.size(), 0);
-  std::size_t number = closed.first;
   for (std::size_t cell = 0; cell < length_.size(); ++cell) {
-    if (state.closing_gap[cell] == 0) continue;
-    const auto& [cells, stress, rate, at_fluid, pressures] = groups[number++];
+    if (!state.in_contact[cell] || groups.empty()) continue;
+    const auto& [cells, stress, rate, at_fluid, pressures] = groups[cell_to_group[cell]];
     const double pressure = at_fluid > 0 ? pressures / at_fluid : load.lowest_fluid_pressure;
-    is_parting[cell] = cells > 0 && stress / cells > -pressure && rate > 0;
+    is_parting[cell] = stress / cells > -pressure && rate > 0;
   }
   return is_parting;
 }
@@ -245,6 +242,8 @@ void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is
       }
     } else {
       double below = closes_below_[cell];
+      // Cells of the axis that were in contact beside one that opens must not close in its place.
+      if (is_parting[cell] && std::isfinite(gap)) state.opening_gap[cell] = gap;
       if (gap > apart * below) state.opening_gap[cell] = 0;
       if (state.opening_gap[cell] > 0) below = std::min(below, closes_again * state.opening_gap[cell]);
       if (gap < below) {
