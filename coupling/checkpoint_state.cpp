@@ -54,6 +54,17 @@ void for_each_acoustic_array(State& state, const std::string& name, const Functi
     function(name + ".earlier" + std::to_string(i), state.earlier[i]);
 }
 
+std::vector<double> numbers_of(const ContactReport& report) {
+  return {report.searches,          report.closings,           report.closed_steps, report.repeated_steps,
+          report.energy_lost,       report.most_closed,        report.seconds_open, report.seconds_closed,
+          report.step_seconds_open, report.step_seconds_closed};
+}
+
+ContactReport report_of(const std::vector<double>& numbers) {
+  return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4],
+          numbers[5], numbers[6], numbers[7], numbers[8], numbers[9]};
+}
+
 /// What far-field microphones of a voice are still to hear; the names end in the number of the surface.
 template <class State, class Function>
 void for_each_far_field_array(State& state, const std::string& name, const Function& function) {
@@ -100,9 +111,7 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
   }
   if (const ContactFollower* contact = simulation.contact()) {
     for_each_contact_array(contact->state(), add);
-    const ContactReport& report = contact->report();
-    add("contact.report", on_rank_0(comm, {report.searches, report.closings, report.closed_steps, report.repeated_steps,
-                                           report.energy_lost, report.most_closed}));
+    add("contact.report", on_rank_0(comm, numbers_of(contact->report())));
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const acoustic::State& state = simulation.voices()[i]->solver().state();
@@ -175,8 +184,7 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
   if (ContactFollower* contact = simulation.contact()) {
     contact::ContactState state = contact->state();
     for_each_contact_array(state, read);
-    const std::vector<double> report = numbers("contact.report");
-    contact->set_state(state, {report[0], report[1], report[2], report[3], report[4], report[5]});
+    contact->set_state(state, report_of(numbers("contact.report")));
     simulation.follow_contact();  // voices' arrays lie on the air of now
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/mpi.hpp"
+#include "core/base/stopwatch.hpp"
 #include "core/mesh/facets.hpp"
 #include "core/mesh/geometry.hpp"
 #include "fsi_solver/continuum.hpp"
@@ -87,6 +88,7 @@ ContactFollower::ContactFollower(fsi::FsiSolver& flow, const contact::ContactSet
 }
 
 void ContactFollower::begin_step() {
+  const base::Stopwatch watch;
   const MPI_Comm comm = flow_.continuum().mesh->comm;
   std::vector<char> now = flow_.state().in_contact;
   now.resize(state_.in_contact.size(), 0);
@@ -96,17 +98,24 @@ void ContactFollower::begin_step() {
   if (base::largest(comm, static_cast<std::int32_t>(now != state_.in_contact)) > 0) {
     report_.energy_lost += flow_.set_contact(state_.in_contact);
   }
-  report_.closed_steps += count(state_.in_contact) > 0;
+  is_closed_ = count(state_.in_contact) > 0;
+  report_.closed_steps += is_closed_;
+  seconds_ = watch.seconds();
 }
 
 ContactFollower::Verdict ContactFollower::judge_step() {
+  const base::Stopwatch watch;
   const std::vector<double> coordinates = flow_.tried_coordinates();
   proposal_.reset();
-  if (!search_.is_due(coordinates)) return {};
+  if (!search_.is_due(coordinates)) {
+    seconds_ += watch.seconds();
+    return {};
+  }
   ++report_.searches;
   const fsi::ContactLoad load = fsi::contact_load(flow_, state_.normal);
   proposal_ = search_.propose(coordinates, state_,
                               {load.normal_stress, load.opening_rate, load.fluid_pressure, load.lowest_fluid_pressure});
+  seconds_ += watch.seconds();
   return {proposal_->depth < too_deep, proposal_->reason};
 }
 
@@ -116,6 +125,11 @@ void ContactFollower::accept() {
   report_.most_closed = std::max(report_.most_closed, static_cast<double>(proposal_->closed));
   state_ = std::move(proposal_->state);
   proposal_.reset();
+}
+
+void ContactFollower::count_step(double seconds) {
+  (is_closed_ ? report_.seconds_closed : report_.seconds_open) += seconds_;
+  (is_closed_ ? report_.step_seconds_closed : report_.step_seconds_open) += seconds;
 }
 
 void ContactFollower::drop_caches() { search_.forget(); }

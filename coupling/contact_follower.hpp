@@ -15,6 +15,9 @@ struct ContactReport {
   double repeated_steps = 0;  ///< taken again with half of dt because too much closed at once
   double energy_lost = 0;     ///< kinetic, of air caught in closing cells [J; in the plane J/m]
   double most_closed = 0;     ///< cells of the axis at once
+  double seconds_open = 0;    ///< [s] wall time of contact in steps without closed cells, and ...
+  double seconds_closed = 0;  ///< ... in steps with some
+  double step_seconds_open = 0, step_seconds_closed = 0;  ///< [s] of all of these steps
 };
 
 /// Contact between the walls of a flow: proposes the phases of the next step from where a step ends, and gives them to
@@ -36,6 +39,8 @@ class ContactFollower {
   /// The step was accepted: what was proposed holds from the next one on.
   void accept();
   void count_repeated_step() { ++report_.repeated_steps; }
+  /// The coupled step took this long [s].
+  void count_step(double seconds);
 
   const contact::ContactState& state() const { return state_; }
   const ContactReport& report() const { return report_; }
@@ -50,6 +55,8 @@ class ContactFollower {
   contact::ContactState state_;
   std::optional<contact::ContactProposal> proposal_;
   ContactReport report_;
+  bool is_closed_ = false;  ///< in this step
+  double seconds_ = 0;      ///< of contact in this step [s]
 };
 
 }  // namespace vocalis::coupling

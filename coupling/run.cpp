@@ -1,6 +1,5 @@
 #include "coupling/run.hpp"
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include "core/base/first_rank.hpp"
 #include "core/base/log.hpp"
 #include "core/base/mpi.hpp"
+#include "core/base/stopwatch.hpp"
 #include "coupling/checkpoint_state.hpp"
 #include "coupling/run_folder.hpp"
 #include "coupling/sound_table.hpp"
@@ -19,14 +19,6 @@ namespace vocalis::coupling {
 namespace {
 
 constexpr int finished_code = 0, failed_code = 3;
-
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::string checkpoint_path(const std::string& folder) {
   return (std::filesystem::path(folder) / "checkpoint.h5").string();
@@ -66,9 +58,15 @@ std::vector<base::Timers::Phase> flow_phases(std::vector<base::Timers::Phase> ph
 }
 
 std::map<std::string, double> figures_of(const ContactReport& report) {
-  return {{"searches", report.searches},         {"closings", report.closings},
-          {"closed_steps", report.closed_steps}, {"repeated_steps", report.repeated_steps},
-          {"energy_lost_J", report.energy_lost}, {"most_closed_cells", report.most_closed}};
+  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
+  return {{"searches", report.searches},
+          {"closings", report.closings},
+          {"closed_steps", report.closed_steps},
+          {"repeated_steps", report.repeated_steps},
+          {"energy_lost_J", report.energy_lost},
+          {"most_closed_cells", report.most_closed},
+          {"share_of_open_steps", share(report.seconds_open, report.step_seconds_open)},
+          {"share_of_closed_steps", share(report.seconds_closed, report.step_seconds_closed)}};
 }
 
 /// What stripping the air anew did to the sound of each voice.
@@ -160,7 +158,7 @@ class Run {
   MPI_Comm comm_;
   const Case& config_;
   std::string folder_;
-  Stopwatch watch_;
+  base::Stopwatch watch_;
   base::Log log_;
   base::Timers timers_;
   std::unique_ptr<Scene> scene_;

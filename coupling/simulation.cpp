@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/stopwatch.hpp"
+
 namespace vocalis::coupling {
 
 Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) : scene_(scene), timers_(timers) {
@@ -24,11 +26,13 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
 }
 
 StepOutcome Simulation::step() {
+  const base::Stopwatch watch;
   StepOutcome outcome = flow_ ? step_flow() : StepOutcome{.failure = "", .dt = clock_.dt()};
   if (!outcome.failure.empty()) return outcome;
   step_voices(outcome.dt, outcome);
   if (history_) history_->end_step();
   if (outcome.failure.empty()) clock_.advance(outcome.dt, outcome.local_error);
+  if (contact_) contact_->count_step(watch.seconds());
   return outcome;
 }
 

@@ -181,7 +181,9 @@ double quality_at(const mesh::Mesh& mesh, std::int32_t cell, const std::vector<d
 double smallest_fluid_quality(const Continuum& continuum, const std::vector<double>& coordinates) {
   double lowest = 1;
   for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
-    if (continuum.cell_solid[cell] < 0) lowest = std::min(lowest, quality_at(*continuum.mesh, cell, coordinates));
+    const std::int32_t solid = continuum.cell_solid[cell];
+    if (solid >= 0 && solid != continuum.contact) continue;
+    lowest = std::min(lowest, quality_at(*continuum.mesh, cell, coordinates));
   }
   return base::smallest(continuum.mesh->comm, lowest);
 }
