@@ -53,7 +53,8 @@ double effect_of_checkerboard(Elements elements, bool is_stabilised) {
   const la::SystemLayout& layout = assembly.layout();
   const la::PetscVector unknowns = la::create_vector(MPI_COMM_WORLD, layout.num_owned());
   const la::PetscVector result = la::create_vector(MPI_COMM_WORLD, layout.num_owned());
-  assembly.begin_step(solver.state(), make_stage({.scheme = TimeScheme::theta, .theta = 1}, 0.1, 0), unknowns.get());
+  assembly.begin_step(solver.state(), make_stage({.scheme = TimeScheme::theta, .theta = 1}, 0.1, 0),
+                      Start::extrapolated, unknowns.get());
   const auto residual_of = [&](const auto& pressure_at) {
     fem::Field pressure(continuum.pressure_space, 1);
     for (std::int32_t dof = 0; dof < continuum.pressure_space.dofs.num_owned; ++dof) {
