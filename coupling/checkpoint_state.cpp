@@ -30,6 +30,7 @@ void for_each_flow_array(State& state, const Function& function) {
   function("flow.acceleration", state.acceleration.values);
   function("flow.pressure", state.pressure.values);
   function("flow.closing_points", state.closing_points);
+  function("flow.contact_normals", state.contact_normals);
   function("flow.mesh_offset", state.mesh_offset);
   function("flow.in_contact", state.in_contact);
 }

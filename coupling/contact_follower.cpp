@@ -96,7 +96,7 @@ void ContactFollower::begin_step() {
     return base::sum(comm, static_cast<std::int64_t>(std::count(marks.begin(), marks.end(), 1)));
   };
   if (base::largest(comm, static_cast<std::int32_t>(now != state_.in_contact)) > 0) {
-    report_.energy_lost += flow_.set_contact(state_.in_contact);
+    report_.energy_lost += flow_.set_contact(state_.in_contact, state_.normal);
   }
   is_closed_ = count(state_.in_contact) > 0;
   report_.closed_steps += is_closed_;

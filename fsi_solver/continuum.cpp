@@ -53,6 +53,12 @@ void add_contact_medium(Continuum& continuum, const FlowSettings& settings) {
   continuum.contact = static_cast<std::int32_t>(continuum.solids.size());
   continuum.solids.push_back(medium);
   continuum.elasticity.push_back(elasticity(medium));
+  continuum.elasticity.back().slides = settings.contact->friction == Friction::none;
+  if (continuum.elasticity.back().slides) {
+    continuum.elasticity.back().film = settings.contact->film_viscosity;
+    continuum.contact_normals.assign(static_cast<std::size_t>(continuum.mesh->num_cells()) * continuum.mesh->dimension,
+                                     0.0);
+  }
   continuum.closing_points.assign(static_cast<std::size_t>(continuum.mesh->num_cells()) *
                                       continuum.velocity_space.dofs_per_cell * continuum.mesh->dimension,
                                   0.0);
@@ -102,7 +108,8 @@ Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings) {
   return result;
 }
 
-void set_contact(Continuum& continuum, std::span<const char> in_contact, std::span<const double> points) {
+void set_contact(Continuum& continuum, std::span<const char> in_contact, std::span<const double> points,
+                 std::span<const double> normals) {
   const int d = continuum.mesh->dimension, nodes = continuum.velocity_space.dofs_per_cell;
   for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
     std::int32_t& solid = continuum.cell_solid[cell];
@@ -118,6 +125,10 @@ void set_contact(Continuum& continuum, std::span<const char> in_contact, std::sp
       std::copy_n(points.data() + static_cast<std::size_t>(dofs[a]) * d, d,
                   continuum.closing_points.data() + (static_cast<std::size_t>(cell) * nodes + a) * d);
     }
+    if (continuum.contact_normals.empty()) continue;
+    const std::size_t first = static_cast<std::size_t>(cell) * d;
+    assert(normals.size() == continuum.contact_normals.size());
+    std::copy_n(normals.data() + first, d, continuum.contact_normals.data() + first);
   }
   sort_by_kind(continuum);
 }

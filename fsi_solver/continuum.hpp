@@ -24,6 +24,8 @@ struct Continuum {
   std::int32_t contact = -2;                ///< index in `solids` of the contact medium; -2: there is none
   std::vector<double> closing_points;       ///< (owned cells, velocity nodes, dimension) [m] where contact cells have
                                             ///< closed, which is their reference; empty without a contact medium
+  std::vector<double> contact_normals;      ///< (owned cells, dimension) unit normal of the plane of contact in that
+                                            ///< reference; empty with full friction
   std::vector<std::int32_t> vertex_solid;   ///< (vertices) the last of the solids that have this vertex, or `fluid`
   bool has_fluid = false;                   ///< on any rank
   bool has_solid = false;                   ///< on any rank
@@ -49,8 +51,10 @@ Continuum make_continuum(const mesh::Mesh& mesh, const FlowSettings& settings);
 ///
 /// in_contact  (owned cells); solid cells must not be among them
 /// points      (velocity dofs, dimension) [m], ghosts current
+/// normals     (owned cells, dimension) of unit length in contact cells; unused with full friction
 /// Collective.
-void set_contact(Continuum& continuum, std::span<const char> in_contact, std::span<const double> points);
+void set_contact(Continuum& continuum, std::span<const char> in_contact, std::span<const double> points,
+                 std::span<const double> normals);
 
 /// Whether each local dof of a space lies on one of the facets, on any rank. Collective.
 std::vector<std::int32_t> mark_dofs(const fem::Space& space, const std::vector<mesh::NamedFacet>& facets);

@@ -31,6 +31,7 @@ struct FsiSolver::Inside {
     if (continuum.contact >= 0) {
       state.in_contact.assign(mesh.num_cells(), 0);
       state.closing_points = continuum.closing_points;
+      state.contact_normals = continuum.contact_normals;
       state.mesh_offset.assign(mesh.coordinates.size(), 0.0);
     }
   }
@@ -119,17 +120,18 @@ void FsiSolver::accept() {
   in.state.last_dt = std::exchange(in.tried_dt, 0);
 }
 
-double FsiSolver::set_contact(std::span<const char> in_contact) {
+double FsiSolver::set_contact(std::span<const char> in_contact, std::span<const double> normals) {
   Inside& in = *inside_;
   assert(in.continuum.contact >= 0 && in.motion);
   const std::vector<std::int32_t> solid_before = in.continuum.dof_solid;
   std::int32_t closes = 0;
   for (std::size_t cell = 0; cell < in_contact.size(); ++cell) closes |= in_contact[cell] && !in.state.in_contact[cell];
-  vocalis::fsi::set_contact(in.continuum, in_contact, moved_points(in.continuum, in.state.displacement));
+  vocalis::fsi::set_contact(in.continuum, in_contact, moved_points(in.continuum, in.state.displacement), normals);
   in.motion->rebuild();
   in.newton->drop_jacobian();
   in.state.in_contact.assign(in_contact.begin(), in_contact.end());
   in.state.closing_points = in.continuum.closing_points;
+  in.state.contact_normals = in.continuum.contact_normals;
   fem::Field smooth = at_vertices(in.continuum, in.state.displacement);
   const std::vector<double> here = smooth.values;
   in.motion->begin_step(smooth);
@@ -154,8 +156,9 @@ void FsiSolver::set_state(const State& state) {
   inside_->tried_dt = 0;
   if (inside_->continuum.contact >= 0) {
     vocalis::fsi::set_contact(inside_->continuum, state.in_contact,
-                              moved_points(inside_->continuum, state.displacement));
+                              moved_points(inside_->continuum, state.displacement), state.contact_normals);
     inside_->continuum.closing_points = state.closing_points;
+    inside_->continuum.contact_normals = state.contact_normals;
     inside_->motion->rebuild();
   }
   drop_caches();

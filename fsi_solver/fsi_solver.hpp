@@ -50,7 +50,10 @@ class FsiSolver {
   /// `mesh_recovery`. Where cells close velocities jump: the next step begins anew, with backward Euler where the
   /// scheme is BDF2, whose memory would carry the jump on. Returns the kinetic energy that the air in them loses, see
   /// `capture`. Collective.
-  double set_contact(std::span<const char> in_contact);
+  ///
+  /// normals  (owned cells, dimension) of the plane of contact, of unit length; only those of cells that were not in
+  ///          contact count, and with full friction none does
+  double set_contact(std::span<const char> in_contact, std::span<const double> normals = {});
 
   const State& state() const;
   double time() const { return state().time; }

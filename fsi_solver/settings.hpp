@@ -66,12 +66,18 @@ enum class Geometry { implicit, explicit_ };
 /// How the fluid's mesh follows the solids: linear elasticity alone, or a non-linear smoother where that gets bad.
 enum class Smoother { linear, nonlinear };
 
+/// Full: walls that touch stick together. None: the contact medium resists a change of its thickness, but neither with
+/// stiffness nor with viscosity a shear along the plane of contact, see `sliding_stress`.
+enum class Friction { full, none };
+
 /// What a fluid cell between walls that touch becomes: an incompressible neo-Hookean solid whose reference is the shape
 /// that it had when it closed.
 /// Source: Degirmenci 2018, 3.2 (unified continuum contact).
 struct ContactMedium {
   double young_modulus = 0;  ///< E [Pa], > 0
   double damping = 0;        ///< Kelvin–Voigt viscosity η [Pa s]
+  Friction friction = Friction::full;
+  double film_viscosity = 0;  ///< η_f [Pa s] against sliding without friction, see `sliding_stress`
 };
 
 struct FlowSettings {

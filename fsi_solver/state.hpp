@@ -15,12 +15,13 @@ struct State {
   fem::Field velocity_before;  ///< one step earlier
   fem::Field displacement;     ///< d [m]: of the material in solids, of the mesh in the fluid
   fem::Field displacement_before;
-  fem::Field pressure;                 ///< [Pa] at `time` with BDF2, at the stage t - (1 - θ) dt with θ
-  fem::Field acceleration;             ///< rate of the velocity at the last stage [m/s^2]; predicts
-  std::vector<char> in_contact;        ///< (owned cells) contact cells; empty where walls cannot touch
-  std::vector<double> closing_points;  ///< of them, see Continuum::closing_points
-  std::vector<double> mesh_offset;     ///< (vertices, dimension) [m] of the fluid's mesh from where the smoother has
-                                       ///< it, since cells opened; ghosts current; empty likewise
+  fem::Field pressure;                  ///< [Pa] at `time` with BDF2, at the stage t - (1 - θ) dt with θ
+  fem::Field acceleration;              ///< rate of the velocity at the last stage [m/s^2]; predicts
+  std::vector<char> in_contact;         ///< (owned cells) contact cells; empty where walls cannot touch
+  std::vector<double> closing_points;   ///< of them, see Continuum::closing_points
+  std::vector<double> contact_normals;  ///< of them, see Continuum::contact_normals
+  std::vector<double> mesh_offset;      ///< (vertices, dimension) [m] of the fluid's mesh from where the smoother has
+                                        ///< it, since cells opened; ghosts current; empty likewise
   std::array<double, 2> largest_speeds = {0, 0};  ///< so far, of fluid and solids, see `speeds` [m/s]
   double time = 0;                                ///< [s]
   double last_dt = 0;                             ///< [s]; 0: no step yet

@@ -17,6 +17,11 @@ double largest(const std::vector<fsi::SolidMaterial>& solids, double fsi::SolidM
   return result;
 }
 
+/// Of a layer that slides, by default: it must hold the layer's inside, and should not hold the walls.
+double film_viscosity(const fsi::ContactMedium& medium, double fluid_viscosity) {
+  return std::max(fluid_viscosity, medium.damping / 20);
+}
+
 }  // namespace
 
 void read_contact(base::Table& root, Case& config) {
@@ -43,6 +48,10 @@ void read_contact(base::Table& root, Case& config) {
                        base::positive, "Pa");
   medium.damping = table->number_or("damping", damping_over_solids * largest(solids, &fsi::SolidMaterial::damping),
                                     base::not_negative, "Pa s");
+  medium.friction = table->choice_or<fsi::Friction>("friction", medium.friction,
+                                                    {{"full", fsi::Friction::full}, {"none", fsi::Friction::none}});
+  medium.film_viscosity =
+      table->number_or("film_viscosity", film_viscosity(medium, config.flow->viscosity), base::not_negative, "Pa s");
   config.flow->mesh_recovery = table->number_or("mesh_recovery", 10 * config.time.step, base::not_negative, "s");
 }
 

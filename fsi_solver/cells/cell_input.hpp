@@ -18,6 +18,7 @@ struct CellInput {
   Lanes gradient[D + 1][D];      ///< projected pressure gradient [Pa/m]; degree 1 only
   double largest_rate = 0;       ///< of the time scheme, 1 / dt or so [1/s]; for sizes
   double density = 0;            ///< [kg/m^3]
+  std::array<Lanes, D> normal;   ///< contact cells without friction: N at closing; others: unused
 };
 
 /// Stabilisation of several cells, frozen during a step (see stabilisation.hpp).

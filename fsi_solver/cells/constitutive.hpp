@@ -19,6 +19,8 @@ struct Elasticity {
   double shear = 0;      ///< µ [Pa]
   double lame = 0;       ///< λ [Pa]; 0 when incompressible
   double viscosity = 0;  ///< Kelvin–Voigt η [Pa s]
+  bool slides = false;   ///< contact medium without friction, see `sliding_stress`
+  double film = 0;       ///< its Newtonian viscosity η_f [Pa s]
 };
 
 /// µ = E / (2 (1 + ν)), λ = E ν / ((1 + ν)(1 - 2ν)); incompressible: µ = E / 3, λ = 0.
@@ -26,7 +28,7 @@ inline Elasticity elasticity(const SolidMaterial& material) {
   const double nu = material.incompressible ? 0.5 : material.poisson_ratio;
   const double shear = material.young_modulus / (2 * (1 + nu));
   const double lame = material.incompressible ? 0 : material.young_modulus * nu / ((1 + nu) * (1 - 2 * nu));
-  return {material.model, shear, lame, material.damping};
+  return {material.model, shear, lame, material.damping, false, 0};
 }
 
 template <int D, class T>

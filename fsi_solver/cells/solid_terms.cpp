@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fsi_solver/cells/pressure_subscales.hpp"
+#include "fsi_solver/cells/solid_law.hpp"
 
 namespace vocalis::fsi {
 
@@ -37,25 +38,23 @@ template <int D>
 struct Tangent {
   Matrix<D, Lanes> of[D][D];
 };
-template <int D>
-Tangent<D> tangent(const Elasticity& solid, const SolidPoint<D>& at, const Stage& stage) {
+template <int D, class Law>
+Tangent<D> tangent(const Law& law, const SolidPoint<D>& at, const Stage& stage) {
   Tangent<D> result;
   for (int j = 0; j < D; ++j) {
     for (int k = 0; k < D; ++k) {
       Matrix<D, Lanes> df{}, df_rate{};
       df[j][k] += stage.displacement_slope();
       df_rate[j][k] += stage.velocity_slope();
-      result.of[j][k] = stress_change<D>(solid, at.f, at.rate, at.pressure, df, df_rate);
+      result.of[j][k] = law.stress_change(at.f, at.rate, at.pressure, df, df_rate);
     }
   }
   return result;
 }
 
-}  // namespace
-
-template <int D, int Degree>
-void solid_residual(const CellInput<D, Degree>& in, const CellStabilisation<D>& stabilisation, const Elasticity& solid,
-                    bool incompressible, CellResidual<D, Degree>& out) {
+template <int D, int Degree, class Law>
+void residual_of(const Law& law, const CellInput<D, Degree>& in, const CellStabilisation<D>& stabilisation,
+                 const Elasticity& solid, bool incompressible, CellResidual<D, Degree>& out) {
   using E = Element<D, Degree>;
   std::fill(out.values, out.values + E::count, Lanes{});
   Lanes measure{}, growth_size{}, squares{}, lowest{};
@@ -67,7 +66,7 @@ void solid_residual(const CellInput<D, Degree>& in, const CellStabilisation<D>& 
     const Lanes j = determinant<D>(at.f);
     lowest = is_first ? smaller(j, geometry.determinant) : smaller(lowest, smaller(j, geometry.determinant));
     is_first = false;
-    const Matrix<D, Lanes> p = stress<D>(solid, at.f, at.rate, at.pressure);
+    const Matrix<D, Lanes> p = law.stress(at.f, at.rate, at.pressure);
     const auto inertia = value_of<D, E::nodes>(in.inertia, point.value);
     for (int a = 0; a < E::nodes; ++a) {
       for (int i = 0; i < D; ++i) {
@@ -102,9 +101,9 @@ void solid_residual(const CellInput<D, Degree>& in, const CellStabilisation<D>& 
   }
 }
 
-template <int D, int Degree>
-void solid_jacobian(const CellInput<D, Degree>& in, const CellStabilisation<D>& stabilisation, const Elasticity& solid,
-                    bool incompressible, const Stage& stage, Lanes* matrix) {
+template <int D, int Degree, class Law>
+void jacobian_of(const Law& law, const CellInput<D, Degree>& in, const CellStabilisation<D>& stabilisation,
+                 bool incompressible, const Stage& stage, Lanes* matrix) {
   using E = Element<D, Degree>;
   constexpr int n = E::count;
   std::fill(matrix, matrix + n * n, Lanes{});
@@ -114,7 +113,7 @@ void solid_jacobian(const CellInput<D, Degree>& in, const CellStabilisation<D>& 
     const auto& g = geometry.gradient;
     const Lanes weight = point.weight * geometry.determinant;
     const SolidPoint<D> at = solid_point<D, Degree>(in, point, geometry, incompressible);
-    const Tangent<D> change = tangent<D>(solid, at, stage);
+    const Tangent<D> change = tangent<D>(law, at, stage);
     const Matrix<D, Lanes> cof = cofactor<D>(at.f);
     const Lanes slope = stage.velocity_slope() + stabilisation.recovery * stage.displacement_slope();
     measure += weight;
@@ -147,6 +146,22 @@ void solid_jacobian(const CellInput<D, Degree>& in, const CellStabilisation<D>& 
     const auto geometry = geometry_at<D, Degree>(E::points().front(), in.position);
     add_pressure_subscales_jacobian<D>(stabilisation, measure, geometry.corner_gradient, matrix);
   }
+}
+
+}  // namespace
+
+template <int D, int Degree>
+void solid_residual(const CellInput<D, Degree>& in, const CellStabilisation<D>& stabilisation, const Elasticity& solid,
+                    bool incompressible, CellResidual<D, Degree>& out) {
+  with_law(solid, in,
+           [&](const auto& law) { residual_of<D, Degree>(law, in, stabilisation, solid, incompressible, out); });
+}
+
+template <int D, int Degree>
+void solid_jacobian(const CellInput<D, Degree>& in, const CellStabilisation<D>& stabilisation, const Elasticity& solid,
+                    bool incompressible, const Stage& stage, Lanes* matrix) {
+  with_law(solid, in,
+           [&](const auto& law) { jacobian_of<D, Degree>(law, in, stabilisation, incompressible, stage, matrix); });
 }
 
 #define VOCALIS_INSTANTIATE(D, Degree)                                                                                 \

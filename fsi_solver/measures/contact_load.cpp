@@ -5,6 +5,7 @@
 
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
+#include "fsi_solver/cells/solid_law.hpp"
 #include "fsi_solver/solution/assembly.hpp"
 
 namespace vocalis::fsi {
@@ -48,7 +49,8 @@ BatchLoad batch_load(const CellInput<D, Degree>& in, const Elasticity& medium, c
     const Matrix<D, Lanes> cof = cofactor<D>(f);
     const std::array<Lanes, D> m = times<D>(cof, normal);
     const Lanes square = dot<D>(m, m), j = determinant<D>(f);
-    sum.normal_stress += weight * dot<D>(m, times<D>(stress<D>(medium, f, rate, pressure), normal)) / square;
+    const Matrix<D, Lanes> p = with_law(medium, in, [&](const auto& law) { return law.stress(f, rate, pressure); });
+    sum.normal_stress += weight * dot<D>(m, times<D>(p, normal)) / square;
     // n·Ḟ F⁻¹ n, F⁻¹ = cofᵀ / J
     sum.opening_rate += weight * dot<D>(m, times<D>(rate, times<D>(transposed<D>(cof), m))) / (square * j);
     measure += weight;

@@ -3,6 +3,7 @@
 #include <mpi.h>
 
 #include "core/mesh/facets.hpp"
+#include "fsi_solver/cells/solid_law.hpp"
 #include "fsi_solver/cells/tractions.hpp"
 #include "fsi_solver/solution/assembly.hpp"
 
@@ -40,9 +41,10 @@ BatchEnergy cell_energy(const CellInput<D, Degree>& in, double viscosity, const 
     }
     Matrix<D, Lanes> f = gradient_of<D, E::nodes>(in.displacement, geometry.gradient);
     for (int i = 0; i < D; ++i) f[i][i] += 1.0;
-    const Matrix<D, Lanes> rate = symmetric_product<D>(l, f);
-    result.elastic += weight * stored_energy<D>(*solid, f);
-    result.dissipated += 2 * solid->viscosity * weight * contraction<D>(rate, rate);
+    with_law(*solid, in, [&](const auto& law) {
+      result.elastic += weight * law.energy(f);
+      result.dissipated += law.dissipation(weight, f, l);
+    });
   }
   return result;
 }

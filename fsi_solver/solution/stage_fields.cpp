@@ -190,7 +190,7 @@ void StageFields::find_forces() {
 }
 
 /// A contact cell's reference is where it closed, in the shape that the fluid had: what it has moved since stays what
-/// it is.
+/// it is. Its normal, where one counts.
 template <int D, int Degree>
 void StageFields::refer_to_closing(const CellBatches::Batch& batch, CellInput<D, Degree>& in) const {
   constexpr int nodes = CellInput<D, Degree>::nodes;
@@ -202,6 +202,9 @@ void StageFields::refer_to_closing(const CellBatches::Batch& batch, CellInput<D,
         in.position[a][k][lane] = closing[a * D + k];
       }
     }
+    if (continuum_.contact_normals.empty()) continue;
+    const double* normal = continuum_.contact_normals.data() + static_cast<std::size_t>(batch.cell[lane]) * D;
+    for (int k = 0; k < D; ++k) in.normal[k][lane] = normal[k];
   }
   limit_bow<D, Degree>(in.position);
 }

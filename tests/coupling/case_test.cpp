@@ -178,6 +178,20 @@ TEST_CASE("what a case says about elements, mesh motion, step and statistics bec
   CHECK(chosen.resolved.find("pressure_stabilisation") == std::string::npos);
 }
 
+TEST_CASE("contact has friction unless a case says that it slides, on a film that follows its damping") {
+  const Folder folder;
+  const std::string sticks = std::string(example) + "[contact]\ndamping = 3\n";
+  const Case with_friction = read_case(MPI_COMM_WORLD, folder.write(sticks), {});
+  REQUIRE(with_friction.flow->contact.has_value());
+  CHECK(with_friction.flow->contact->friction == fsi::Friction::full);
+  const Case slides = read_case(MPI_COMM_WORLD, folder.write(sticks + "friction = \"none\"\n"), {});
+  CHECK(slides.flow->contact->friction == fsi::Friction::none);
+  CHECK(slides.flow->contact->film_viscosity == Approx(0.15));
+  const Case undamped = read_case(MPI_COMM_WORLD, folder.path() + "/case.toml", {"contact.damping=0"});
+  CHECK(undamped.flow->contact->film_viscosity == undamped.flow->viscosity);
+  CHECK_THAT(message_of(folder, sticks + "friction = \"some\"\n", {}), Contains("full"));
+}
+
 TEST_CASE("each kind of monitor takes its own keys") {
   const Folder folder;
   const std::string text = R"([case]

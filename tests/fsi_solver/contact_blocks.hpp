@@ -1,0 +1,61 @@
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "fsi_solver/continuum.hpp"
+#include "fsi_solver/fsi_solver.hpp"
+#include "tests/fsi_solver/boxes.hpp"
+
+namespace vocalis::fsi::test {
+
+/// A block of tissue above another, with a layer of fluid between them.
+inline mesh::Mesh blocks() {
+  return box_of_regions({0.01, 0.01, 0}, {6, 10, 0}, {"low", "gap", "high"}, [](const auto& x) {
+    return x[1] < 0.004 ? 0 : x[1] < 0.006 ? 1 : 2;
+  });
+}
+
+/// The lower block is held at its bottom; gravity pulls 20 m/s^2 downwards.
+inline FlowSettings block_settings(Elements elements) {
+  FlowSettings flow;
+  flow.elements = elements;
+  flow.density = 1;
+  flow.viscosity = 1e-3;
+  flow.gravity = {0, -20, 0};
+  for (const char* region : {"low", "high"}) {
+    SolidMaterial tissue;
+    tissue.region = region;
+    tissue.young_modulus = 2000;
+    tissue.density = 1000;
+    tissue.damping = 2;
+    flow.solids.push_back(tissue);
+  }
+  flow.boundaries = {{.group = "bottom", .kind = FlowBoundaryKind::fixed},
+                     {.group = "left", .kind = FlowBoundaryKind::outlet},
+                     {.group = "right", .kind = FlowBoundaryKind::outlet}};
+  flow.contact = ContactMedium{.young_modulus = 2000, .damping = 2};
+  flow.mesh_recovery = 0.01;
+  return flow;
+}
+
+/// Marks the layer.
+inline std::vector<char> cells_between(const FsiSolver& solver) {
+  const mesh::Mesh& mesh = *solver.continuum().mesh;
+  std::vector<char> marks(mesh.num_cells());
+  for (std::size_t cell = 0; cell < marks.size(); ++cell) marks[cell] = mesh.cell_region[cell] == 1;
+  return marks;
+}
+
+/// Steps that converged before one that did not.
+inline int steps_until_failure(FsiSolver& solver, double dt, int steps) {
+  for (int step = 0; step < steps; ++step) {
+    const StepReport report = solver.try_step(dt);
+    UNSCOPED_INFO(step << " " << report.newton_iterations << " " << report.reason);
+    if (!report.converged) return step;
+    solver.accept();
+  }
+  return steps;
+}
+
+}  // namespace vocalis::fsi::test
