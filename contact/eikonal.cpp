@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
@@ -19,7 +18,11 @@ std::vector<PetscInt> rows_of_cells(const la::SystemLayout& layout, const fem::S
   return rows;
 }
 
-double dot(const double* a, const double* b, int d) { return std::inner_product(a, a + d, b, 0.0); }
+double dot(const double* a, const double* b, int d) {
+  double sum = 0;
+  for (int k = 0; k < d; ++k) sum += a[k] * b[k];
+  return sum;
+}
 
 double largest_of(const fem::Field& field) {
   double value = 0;
@@ -87,12 +90,12 @@ Eikonal::CellState Eikonal::state_of(std::int32_t cell, const fem::Field* distan
   for (int i = 0; i < n * d; ++i) state.slope[i % d] += distance->values[dofs[i / d]] * gradient[i];
   state.length = std::sqrt(dot(state.slope.data(), state.slope.data(), d));
   // Where D has no slope, in cells whose corners are all zero, any direction serves.
-  std::array<double, 3> direction = {1, 0, 0};
-  if (state.length > 1e-12) {
-    for (int k = 0; k < d; ++k) direction[k] = state.direction[k] = state.slope[k] / state.length;
-  }
+  static constexpr std::array<double, 3> any_direction = {1, 0, 0};
+  const bool has_slope = state.length > 1e-12;
+  for (int k = 0; k < d && has_slope; ++k) state.direction[k] = state.slope[k] / state.length;
+  const double* direction = has_slope ? state.direction.data() : any_direction.data();
   double inverse = 0;  // of the cell's length
-  for (int i = 0; i < n; ++i) inverse += 0.5 * std::abs(dot(direction.data(), gradient + i * d, d));
+  for (int i = 0; i < n; ++i) inverse += 0.5 * std::abs(dot(direction, gradient + i * d, d));
   state.viscosity = viscosity / inverse;
   return state;
 }

@@ -68,9 +68,13 @@ void fill(const FsiSolver& solver, std::span<const double> normal, ContactLoad& 
     const auto& [solid, active, cells] = continuum.batches.batches[batch];
     if (solid < 0 || solid != continuum.contact) continue;
     solver.assembly().fields().gather(continuum.batches, batch, in);
-    std::array<Lanes, D> normals{};
-    for (int lane = 0; lane < lane_count; ++lane) {
-      for (int k = 0; k < D; ++k) normals[k][lane] = normal[static_cast<std::size_t>(cells[lane]) * D + k];
+    std::array<Lanes, D> normals;
+    for (int k = 0; k < D; ++k) {
+      Lanes component{};
+      for (int lane = 0; lane < lane_count; ++lane) {
+        component[lane] = normal[static_cast<std::size_t>(cells[lane]) * D + k];
+      }
+      normals[k] = component;
     }
     const BatchLoad found = batch_load<D, Degree>(in, continuum.elasticity[solid], normals);
     for (int lane = 0; lane < active; ++lane) {
