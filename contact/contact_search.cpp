@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/closed_cells.hpp"
 #include "contact/pockets.hpp"
 #include "contact/slivers.hpp"
 #include "core/base/mpi.hpp"
@@ -45,53 +46,6 @@ std::vector<std::int32_t> points_of(const mesh::Mesh& mesh, const std::vector<me
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
-}
-
-std::array<double, 3> middle(const mesh::Mesh& mesh, std::int32_t cell, std::span<const double> coordinates) {
-  std::array<double, 3> result = {0, 0, 0};
-  for (const std::int32_t v : mesh.vertices_of(cell)) {
-    for (int k = 0; k < mesh.dimension; ++k) {
-      result[k] += coordinates[static_cast<std::size_t>(v) * mesh.dimension + k] / (mesh.dimension + 1);
-    }
-  }
-  return result;
-}
-
-/// The closed cells of the axis of all ranks.
-struct ClosedCells {
-  int dimension = 2;
-  std::vector<double> middles, normals;  ///< (closed cells, dimension)
-
-  std::size_t count() const { return normals.size() / dimension; }
-  struct Nearest {
-    std::size_t index = 0;
-    double square = std::numeric_limits<double>::infinity();  ///< of the distance
-  };
-  Nearest nearest(const std::array<double, 3>& place) const {
-    Nearest result;
-    for (std::size_t i = 0; i < count(); ++i) {
-      double square = 0;
-      for (int k = 0; k < dimension; ++k) {
-        const double way = middles[i * dimension + k] - place[k];
-        square += way * way;
-      }
-      if (square < result.square) result = {i, square};
-    }
-    return result;
-  }
-};
-
-ClosedCells gather_closed(const mesh::Mesh& mesh, std::span<const double> coordinates, const ContactState& state) {
-  const int d = mesh.dimension;
-  ClosedCells mine{d, {}, {}};
-  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
-    if (state.closing_gap[cell] == 0) continue;
-    const auto place = middle(mesh, cell, coordinates);
-    mine.middles.insert(mine.middles.end(), place.begin(), place.begin() + d);
-    const double* normal = state.normal.data() + static_cast<std::size_t>(cell) * d;
-    mine.normals.insert(mine.normals.end(), normal, normal + d);
-  }
-  return {d, base::concatenate_all(mesh.comm, mine.middles), base::concatenate_all(mesh.comm, mine.normals)};
 }
 
 /// Sums over contact cells: their number, normal stress, opening rate; those at the fluid, its pressure there.
@@ -199,7 +153,7 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
 /// Whether each contact cell is of a group that shall open: all that are nearest to one closed cell of the axis.
 std::vector<char> ContactSearch::find_parting(std::span<const double> coordinates, const ContactState& state,
                                               const ContactLoad& load) const {
-  const ClosedCells closed = gather_closed(*mesh_, coordinates, state);
+  const ClosedCells closed = gather_closed(*mesh_, coordinates, state.closing_gap, state.normal);
   std::vector<GroupLoad> groups(closed.count());
   std::vector<std::size_t> cell_to_group(length_.size(), 0);
   for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
@@ -265,7 +219,7 @@ void ContactSearch::spread(const WallDistance& walls, std::span<const double> co
                            ContactProposal& proposal) const {
   const std::ptrdiff_t d = mesh_->dimension;
   ContactState& state = proposal.state;
-  const ClosedCells closed = gather_closed(*mesh_, coordinates, state);
+  const ClosedCells closed = gather_closed(*mesh_, coordinates, state.closing_gap, state.normal);
   for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
     if (length_[cell] == 0) continue;
     const auto [nearest, square] = closed.nearest(middle(*mesh_, cell, coordinates));
