@@ -88,7 +88,7 @@ struct AcousticSettings {
   double source_fade_in = 0;       ///< [s] over which the analogy's source rises
   VelocityElements velocity_elements = VelocityElements::p0;
   double subscale_constant = 0.02;  ///< C [-] of the subscales' time τ = C h / c
-  ContactCells contact_cells = ContactCells::strip;
+  ContactCells contact_cells = ContactCells::keep;
   std::vector<AcousticBoundary> boundaries;
   std::vector<AbsorbingLayer> layers;
 };
