@@ -74,10 +74,30 @@ enum class ContactCells {
   strip  ///< no part of the air: what is behind them is not heard
 };
 
+/// How the rate of the flow's pressure is made of its values at the flow's steps.
+enum class PressureDerivative {
+  step,       ///< (p - p before) / dt throughout a step: its integral in time is exact
+  bdf2,       ///< second order at both ends of a step, linear between them
+  five_point  ///< blind to what alternates from step to step; sound lags the flow by two steps
+};
+
+/// How sound is taken from a flow: what analogies are made from; the solver itself reads none of it.
+struct AnalogySettings {
+  std::string name = "pressure_rate";
+  PressureDerivative pressure_derivative = PressureDerivative::step;
+  double fade_in = 0;      ///< [s] over which the source rises
+  bool mean_flow = false;  ///< the flow that carries sound is the mean, not the present one
+  double mean_time = 0;    ///< T [s] of that mean, which forgets as exp(-t / T)
+  bool convection = true;  ///< the flow carries sound in the wave operator, too
+  std::array<double, 3> window_centre = {0, 0, 0};
+  double window_radius = 0;  ///< [m] the source is whole within, 0: everywhere
+  double window_width = 0;   ///< [m] beyond which it has faded away
+};
+
 /// One acoustic solver: its medium, boundaries and step.
 struct AcousticSettings {
   std::string name = "sound";
-  std::string analogy = "pressure_rate";
+  AnalogySettings analogy;
   double speed_of_sound = 350;  ///< c [m/s]
   double density = 1.2;         ///< ρ [kg/m^3]
   double wall_admittance = 0;   ///< µ [-] of every boundary that is not named; 0: rigid
@@ -85,7 +105,6 @@ struct AcousticSettings {
   Integrator integrator = Integrator::implicit;
   double theta = 0.5;              ///< ½: Crank–Nicolson, no dissipation
   double solver_tolerance = 1e-8;  ///< relative residual of a step's change of pressure
-  double source_fade_in = 0;       ///< [s] over which the analogy's source rises
   VelocityElements velocity_elements = VelocityElements::p0;
   double subscale_constant = 0.02;  ///< C [-] of the subscales' time τ = C h / c
   ContactCells contact_cells = ContactCells::keep;

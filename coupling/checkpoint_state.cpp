@@ -78,10 +78,25 @@ std::string far_field_name(std::size_t voice, std::size_t surface) {
   return "acoustic" + std::to_string(voice) + ".far_field" + std::to_string(surface);
 }
 
+std::string memory_name(std::size_t voice, std::size_t index) {
+  return "acoustic" + std::to_string(voice) + ".memory" + std::to_string(index);
+}
+
 std::vector<double> on_rank_0(MPI_Comm comm, std::vector<double> values) {
   if (base::rank(comm) != 0) values.clear();
   return values;
 }
+
+/// Snapshots of the flow that derivatives over several steps still need, without the newest, which is the flow's state.
+template <class Snapshot, class Function>
+void for_each_snapshot_array(Snapshot& snapshot, const std::string& name, const Function& function) {
+  function(name + ".pressure", snapshot.pressure);
+  function(name + ".velocity", snapshot.velocity);
+  function(name + ".displacement", snapshot.displacement);
+  function(name + ".in_contact", snapshot.in_contact);
+}
+
+std::string snapshot_name(std::size_t index) { return "history" + std::to_string(index); }
 
 std::string acoustic_name(std::size_t index) { return "acoustic" + std::to_string(index); }
 
@@ -110,6 +125,15 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     const EnergyBalance& balance = simulation.monitors()->balance();
     add("monitors.balance", on_rank_0(comm, {balance.time, balance.power, balance.work}));
   }
+  if (simulation.history()) {
+    const auto& snapshots = simulation.history()->snapshots();
+    std::vector<double> snapshot_times;
+    for (std::size_t n = 0; n + 1 < snapshots.size(); ++n) {
+      snapshot_times.push_back(snapshots[n].time);
+      for_each_snapshot_array(snapshots[n], snapshot_name(n), add);
+    }
+    add("history.times", on_rank_0(comm, snapshot_times));
+  }
   if (const ContactFollower* contact = simulation.contact()) {
     for_each_contact_array(contact->state(), add);
     add("contact.report", on_rank_0(comm, numbers_of(contact->report())));
@@ -120,6 +144,8 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     add(acoustic_name(i) + ".times", on_rank_0(comm, {state.time, static_cast<double>(state.earlier.size()),
                                                       static_cast<double>(rebuilds.count), rebuilds.energy_lost}));
     for_each_acoustic_array(state, acoustic_name(i), add);
+    const auto memory = simulation.voices()[i]->analogy().memory();
+    for (std::size_t m = 0; m < memory.size(); ++m) add(memory_name(i, m), *memory[m]);
     const auto& far_fields = simulation.voices()[i]->microphones().far_fields();
     for (std::size_t f = 0; f < far_fields.size(); ++f) {
       for_each_far_field_array(far_fields[f].state(), far_field_name(i, f), add);
@@ -186,6 +212,17 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     contact::ContactState state = contact->state();
     for_each_contact_array(state, read);
     contact->set_state(state, report_of(numbers("contact.report")));
+  }
+  if (simulation.history()) {
+    const FlowSnapshot newest = simulation.solved_flow()->snapshot();
+    std::deque<FlowSnapshot> snapshots;
+    for (const double time : numbers("history.times")) {
+      FlowSnapshot& snapshot = snapshots.emplace_back(newest);
+      snapshot.time = time;
+      for_each_snapshot_array(snapshot, snapshot_name(snapshots.size() - 1), read);
+    }
+    snapshots.push_back(newest);
+    simulation.history()->set_snapshots(std::move(snapshots));
     simulation.follow_contact();  // voices' arrays lie on the air of now
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
@@ -197,6 +234,8 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     state.earlier.assign(static_cast<std::size_t>(acoustic_times[1]), std::vector<double>(state.p.size()));
     for_each_acoustic_array(state, acoustic_name(i), read);
     simulation.voices()[i]->solver().set_state(std::move(state));
+    const auto memory = simulation.voices()[i]->analogy().memory();
+    for (std::size_t m = 0; m < memory.size(); ++m) *memory[m] = reader.doubles(memory_name(i, m));
     auto& far_fields = simulation.voices()[i]->microphones().far_fields();
     for (std::size_t f = 0; f < far_fields.size(); ++f) {
       acoustic::FarField::State waiting = far_fields[f].state();

@@ -1,5 +1,6 @@
 #include "coupling/run.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -55,6 +56,19 @@ std::vector<base::Timers::Phase> flow_phases(std::vector<base::Timers::Phase> ph
     phase.seconds -= assembly;
   }
   return phases;
+}
+
+/// Phases of the same name become one.
+void add_phases(const std::vector<base::Timers::Phase>& more, std::vector<base::Timers::Phase>& phases) {
+  for (const auto& phase : more) {
+    const auto same = std::find_if(phases.begin(), phases.end(), [&](const auto& p) { return p.name == phase.name; });
+    if (same == phases.end()) {
+      phases.push_back(phase);
+    } else {
+      same->seconds += phase.seconds;
+      same->calls += phase.calls;
+    }
+  }
 }
 
 std::map<std::string, double> figures_of(const ContactReport& report) {
@@ -140,6 +154,8 @@ class Run {
     facts_.simulated_seconds = clock.time;
     facts_.wall_seconds = wall_seconds();
     facts_.phases = timers_.largest_over_ranks(comm_);
+    for (const auto& voice : simulation_->voices())
+      add_phases(voice->timers().largest_over_ranks(comm_), facts_.phases);
     if (const fsi::FsiSolver* flow = simulation_->flow()) {
       const auto phases = flow_phases(flow->timers().largest_over_ranks(comm_));
       facts_.phases.insert(facts_.phases.begin(), phases.begin(), phases.end());

@@ -51,6 +51,13 @@ std::string words(const acoustic::MicrophoneSettings& microphone) {
   return fmt::format("far field, by Kirchhoff's integral over '{}'{}", microphone.surface, mirrors);
 }
 
+std::string meaning_of_sound(const std::string& analogy) {
+  if (analogy == "lighthill" || analogy == "vortex" || analogy == "ape") {
+    return "pressure of the wave equation, which is for the whole, less p_ic";
+  }
+  return "acoustic pressure, of the wave equation with the analogy's source";
+}
+
 /// What a reader of the file alone must know: units, what p is, of which medium, where.
 Header microphone_header(const Case& config, std::size_t solver, const std::vector<std::int32_t>& in_flow) {
   const acoustic::AcousticSettings& settings = config.acoustics[solver];
@@ -59,11 +66,10 @@ Header microphone_header(const Case& config, std::size_t solver, const std::vect
                    {"units", "SI: times [s], instantaneous pressures [Pa], positions [m], speeds [m/s]"}};
   if (config.flow) {
     header.emplace_back("pressure_Pa", "p_a + p_ic, the whole deviation from the pressure at rest");
-    header.emplace_back("p_a_Pa", "acoustic pressure, of the wave equation with the analogy's source");
+    header.emplace_back("p_a_Pa", meaning_of_sound(settings.analogy.name));
     header.emplace_back("p_ic_Pa", "pressure of the incompressible flow, linear in time over a step of the flow");
-    header.emplace_back("analogy", settings.analogy);
-    header.emplace_back(
-        "sign", settings.analogy == "none" ? "no source" : "source -(1 / (rho c^2)) dp_ic/dt: p_a adds to p_ic");
+    header.emplace_back("analogy", settings.analogy.name);
+    header.emplace_back("sign", "p_a adds to p_ic; the mass source of pressure_rate is -(1 / (rho c^2)) dp_ic/dt");
   } else {
     header.emplace_back("pressure_Pa", "acoustic pressure, of the wave equation driven by source_m_s");
     header.emplace_back("analogy", "none");
@@ -255,7 +261,7 @@ void RunOutput::write_fields(Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const Voice& voice = *simulation.voices()[i];
     add(i == 0 ? "acoustic_pressure" : "acoustic_pressure_" + config_.acoustics[i].name,
-        transfer::SharedVertices::to_parent(scene_.parent, voice.air()), voice.solver().pressure());
+        transfer::SharedVertices::to_parent(scene_.parent, voice.air()), voice.pressure());
   }
   std::vector<io::NamedValues> values;
   for (std::size_t i = 0; i < fields.size(); ++i) values.push_back({names[i], fields[i].components, fields[i].values});

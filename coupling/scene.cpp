@@ -1,5 +1,7 @@
 #include "coupling/scene.hpp"
 
+#include <optional>
+
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/io/gmsh_reader.hpp"
@@ -61,21 +63,36 @@ std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config) {
   return scene;
 }
 
-std::vector<mesh::NamedFacet> flow_outlet(const Scene& scene) {
+namespace {
+
+/// Facets of fluid cells of the flow mesh for which `wanted(kind behind, if any)` holds.
+template <class Wanted>
+std::vector<mesh::NamedFacet> facets_of_fluid(const Scene& scene, const Wanted& wanted) {
   const transfer::StrippedMesh& flow = *scene.flow;
   const int facets = scene.parent.dimension + 1;
+  const auto kind_of = [&](std::int32_t cell) { return scene.kind_of_region[scene.parent.cell_region[cell]]; };
   std::vector<mesh::NamedFacet> result;
   for (std::int32_t cell = 0; cell < flow.mesh.num_cells(); ++cell) {
     const std::int32_t parent_cell = flow.cell_to_parent[cell];
-    if (scene.kind_of_region[scene.parent.cell_region[parent_cell]] != RegionKind::fluid) continue;
+    if (kind_of(parent_cell) != RegionKind::fluid) continue;
     for (int i = 0; i < facets; ++i) {
       // Stripping keeps the order of a cell's vertices, so facet i is the same one in both meshes.
       const std::int32_t behind = scene.parent.cell_neighbours[static_cast<std::size_t>(parent_cell) * facets + i];
-      if (behind < 0 || scene.kind_of_region[scene.parent.cell_region[behind]] != RegionKind::air) continue;
-      result.push_back({cell, i, -1});
+      if (wanted(behind < 0 ? std::optional<RegionKind>() : kind_of(behind))) result.push_back({cell, i, -1});
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<mesh::NamedFacet> flow_outlet(const Scene& scene) {
+  return facets_of_fluid(scene, [](std::optional<RegionKind> behind) { return behind == RegionKind::air; });
+}
+
+std::vector<mesh::NamedFacet> flow_walls(const Scene& scene) {
+  return facets_of_fluid(scene,
+                         [](std::optional<RegionKind> behind) { return !behind || *behind == RegionKind::solid; });
 }
 
 std::vector<std::int32_t> fluid_cells(const Scene& scene) {

@@ -26,6 +26,9 @@ std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config);
 /// Where the flow ends inside the air: facets of the flow mesh whose neighbour in the parent is air.
 std::vector<mesh::NamedFacet> flow_outlet(const Scene& scene);
 
+/// Where the fluid ends at a solid or at the rim of the mesh: walls, and boundaries that it flows through.
+std::vector<mesh::NamedFacet> flow_walls(const Scene& scene);
+
 /// Whether each owned cell of the flow mesh is fluid.
 std::vector<std::int32_t> fluid_cells(const Scene& scene);
 

@@ -15,7 +15,13 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
   if (config.flow) {
     flow_ = std::make_unique<fsi::FsiSolver>(scene.flow->mesh, *config.flow, config.time);
     if (config.contact) contact_ = std::make_unique<ContactFollower>(*flow_, *config.contact);
-    history_ = std::make_unique<FlowHistory>(scene, *flow_);
+    solved_.emplace(scene, *flow_);
+    int depth = snapshots_for(PressureDerivative::step);
+    for (const auto& settings : config.acoustics) {
+      depth = std::max(depth, snapshots_for(settings.analogy.pressure_derivative));
+    }
+    history_.emplace(scene, depth, config.contact.has_value());
+    history_->restart(solved_->snapshot());
     monitors_ = std::make_unique<Monitors>(*flow_, config.monitors);
     if (config.statistics) check_statistics(*config.statistics, monitors_->columns());
   }
@@ -29,8 +35,8 @@ StepOutcome Simulation::step() {
   const base::Stopwatch watch;
   StepOutcome outcome = flow_ ? step_flow() : StepOutcome{.failure = "", .dt = clock_.dt()};
   if (!outcome.failure.empty()) return outcome;
+  if (flow_ && !voices_.empty()) history_->add(solved_->snapshot());
   step_voices(outcome.dt, outcome);
-  if (history_) history_->end_step();
   if (outcome.failure.empty()) clock_.advance(outcome.dt, outcome.local_error);
   if (contact_) contact_->count_step(watch.seconds());
   return outcome;
@@ -38,11 +44,7 @@ StepOutcome Simulation::step() {
 
 StepOutcome Simulation::step_flow() {
   StepOutcome outcome;
-  if (contact_) {
-    begin_contact();
-    follow_contact();
-  }
-  history_->begin_step();
+  if (contact_) begin_contact();
   while (!try_flow_step(outcome)) {
     if (!outcome.failure.empty()) return outcome;
   }
@@ -89,23 +91,29 @@ bool Simulation::try_flow_step(StepOutcome& outcome) {
 }
 
 void Simulation::step_voices(double dt, StepOutcome& outcome) {
-  std::optional<FlowView> view;
-  if (history_ && !voices_.empty()) {
-    const auto scope = timers_.scope("analogy");
-    view = history_->view();
-  }
-  const auto scope = timers_.scope("acoustic");
   for (auto& voice : voices_) {
-    const auto report = view ? voice->follow(*view, history_->displacement_begin(), history_->displacement_end())
-                             : voice->drive(dt, [this](double time) { return source_ ? source_->value(time) : 0.0; });
+    acoustic::AdvanceReport report;
+    if (!history_) {
+      report = voice->drive(dt, [this](double time) { return source_ ? source_->value(time) : 0.0; });
+    } else if (history_->has_step(voice->derivative())) {
+      report = voice->follow(flow_step(voice->derivative()));
+    }
     outcome.acoustic_iterations += report.linear_iterations;
     if (!report.converged) outcome.failure = "the acoustic step did not converge: " + report.reason;
   }
 }
 
+FlowStep Simulation::flow_step(PressureDerivative derivative) {
+  const auto scope = timers_.scope("analogy");
+  return history_->step(derivative);
+}
+
 void Simulation::follow_contact() {
-  const auto scope = timers_.scope("transfer");
-  for (auto& voice : voices_) voice->follow_contact(flow_->state().in_contact, history_->displacement_end());
+  if (!history_) return;
+  for (auto& voice : voices_) {
+    const FlowSnapshot& flow = history_->followed(voice->derivative());
+    voice->follow_contact(flow.in_contact, history_->displacement(flow));
+  }
 }
 
 std::vector<double> Simulation::monitor_values() const {
@@ -121,9 +129,7 @@ void Simulation::drop_caches() {
 
 void Simulation::restart_from_states() {
   if (history_) {
-    history_->end_step();
-    history_->begin_step();
-    for (auto& voice : voices_) voice->move_to(history_->displacement_begin());
+    for (auto& voice : voices_) voice->move_to(history_->displacement(history_->followed(voice->derivative())));
   }
   drop_caches();
 }

@@ -9,7 +9,8 @@
 #include "core/base/timers.hpp"
 #include "coupling/clock.hpp"
 #include "coupling/contact_follower.hpp"
-#include "coupling/flow_history.hpp"
+#include "coupling/flow/flow_history.hpp"
+#include "coupling/flow/solved_flow.hpp"
 #include "coupling/monitors/monitors.hpp"
 #include "coupling/scene.hpp"
 #include "coupling/voice.hpp"
@@ -48,12 +49,16 @@ class Simulation {
   ContactFollower* contact() { return contact_.get(); }
   std::vector<std::unique_ptr<Voice>>& voices() { return voices_; }
   const std::optional<acoustic::PulseFlux>& source() const { return source_; }
+  /// The flow's last snapshots; none without a flow.
+  const std::optional<FlowHistory>& history() const { return history_; }
+  std::optional<FlowHistory>& history() { return history_; }
+  const SolvedFlow* solved_flow() const { return solved_ ? &*solved_ : nullptr; }
 
   /// After this the future depends on the states alone, to the last bit: called at every scheduled checkpoint, in runs
   /// that are never stopped, too.
   void drop_caches();
-  /// Lets the voices follow the flow's cells in contact: when these may have changed, and before the states of voices
-  /// are replaced. Collective.
+  /// Lets the voices follow the flow's cells in contact where the flow's last snapshots were replaced, before the
+  /// states of voices are. Collective.
   void follow_contact();
   /// After the states were replaced by those of a checkpoint.
   void restart_from_states();
@@ -63,13 +68,15 @@ class Simulation {
   StepOutcome step_flow();
   bool try_flow_step(StepOutcome& outcome);
   void step_voices(double dt, StepOutcome& outcome);
+  FlowStep flow_step(PressureDerivative derivative);
 
   Scene& scene_;
   base::Timers& timers_;
   Clock clock_;
   std::unique_ptr<fsi::FsiSolver> flow_;
   std::unique_ptr<ContactFollower> contact_;  ///< null where walls cannot touch
-  std::unique_ptr<FlowHistory> history_;
+  std::optional<SolvedFlow> solved_;
+  std::optional<FlowHistory> history_;
   std::unique_ptr<Monitors> monitors_;
   std::optional<acoustic::PulseFlux> source_;
   std::vector<std::unique_ptr<Voice>> voices_;

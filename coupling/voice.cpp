@@ -43,6 +43,29 @@ void require_undamped(const mesh::Mesh& mesh, const acoustic::AcousticSettings& 
                         "cells along it that are damped", "name a surface further in");
 }
 
+/// Weight of the source at the flow's vertices at rest: 1 within the window, falling as a cosine to 0 over its width.
+std::vector<double> source_window(const Scene& scene, const acoustic::AnalogySettings& settings) {
+  if (!scene.flow || settings.window_radius == 0) return {};
+  const mesh::Mesh& mesh = scene.flow->mesh;
+  std::vector<double> weights;
+  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+    double square = 0;
+    for (int k = 0; k < mesh.dimension; ++k) square += std::pow(mesh.point(v)[k] - settings.window_centre[k], 2);
+    const double beyond = std::sqrt(square) - settings.window_radius;
+    const double part = settings.window_width > 0 ? beyond / settings.window_width : (beyond > 0 ? 1 : 0);
+    weights.push_back(0.5 * (1 + std::cos(std::numbers::pi * std::clamp(part, 0.0, 1.0))));
+  }
+  return weights;
+}
+
+/// Histories of p_a alone can be carried over to a mesh with other cells.
+void require_rebuildable(const acoustic::AcousticSettings& settings, Unknown unknown) {
+  if (settings.contact_cells == acoustic::ContactCells::keep || unknown == Unknown::acoustic_pressure) return;
+  throw base::UserError("contact_cells = \"strip\" needs an analogy for p_a: pressure_rate, pcwe or none",
+                        "analogy = \"" + settings.analogy.name + "\", which solves for the total pressure",
+                        "write contact_cells = \"keep\"");
+}
+
 }  // namespace
 
 Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings)
@@ -51,10 +74,12 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
       step_(config.time.step),
       moves_(config.flow && std::any_of(config.regions.begin(), config.regions.end(),
                                         [](const Region& region) { return region.kind == RegionKind::solid; })),
-      analogy_(make_analogy(settings.analogy, settings.density, settings.speed_of_sound)),
+      analogy_(make_analogy(settings.analogy,
+                            {settings.density, settings.speed_of_sound, source_window(scene, settings.analogy)})),
       air_(make_air(scene, {})),
       solver_(air_->mesh(), settings),
       microphones_(air_->mesh(), config.microphones, far_field(scene, config, settings, air_->cell_has_flow)) {
+  require_rebuildable(settings, analogy_->unknown());
   microphones_.require_inside();
   require_undamped(air_->mesh(), settings_, microphones_);
 }
@@ -62,49 +87,110 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
 std::string Voice::integrator_words() const { return acoustic::words(solver_.choice(step_, moves_)); }
 
 double Voice::fade(double time) const {
-  if (time >= settings_.source_fade_in) return 1;
-  return 0.5 * (1 - std::cos(std::numbers::pi * time / settings_.source_fade_in));
+  const double rise = settings_.analogy.fade_in;
+  if (time >= rise) return 1;
+  return 0.5 * (1 - std::cos(std::numbers::pi * time / rise));
 }
 
-std::vector<double> Voice::flow_pressure(const std::vector<double>& of_flow_vertices) const {
+std::vector<double> Voice::at_vertices(const std::vector<double>& of_flow_vertices, int components) const {
   // A fluid cell is on the same rank in both meshes, so its vertices are, too.
   const transfer::StrippedMesh& acoustic = *air_->stripped;
-  std::vector<double> result(acoustic.mesh.num_vertices(), 0.0);
-  for (std::size_t v = 0; v < result.size(); ++v) {
+  std::vector<double> result(static_cast<std::size_t>(acoustic.mesh.num_vertices()) * components, 0.0);
+  if (of_flow_vertices.empty()) return result;
+  for (std::int32_t v = 0; v < acoustic.mesh.num_vertices(); ++v) {
     const std::int32_t there = scene_.flow->parent_to_vertex[acoustic.vertex_to_parent[v]];
-    if (there >= 0) result[v] = of_flow_vertices[there];
+    if (there < 0) continue;
+    for (int k = 0; k < components; ++k) result[v * components + k] = of_flow_vertices[there * components + k];
   }
   return result;
 }
 
+Voice::Drive Voice::carry(const FlowView& flow, const fem::Field& displacement_begin,
+                          const fem::Field& displacement_end) {
+  AnalogySource there;
+  std::vector<double> convection, head_begin, head_end;
+  {
+    const auto scope = timers_.scope("analogy");
+    analogy_->follow(flow);
+    there = analogy_->source(flow);
+    for (double& value : there.begin.values) value *= fade(flow.time_begin);
+    for (double& value : there.end.values) value *= fade(flow.time_end);
+    convection = analogy_->convection(flow);
+    head_begin = analogy_->head(flow, flow.velocity_begin);
+    head_end = analogy_->head(flow, flow.velocity_end);
+  }
+  const auto scope = timers_.scope("transfer");
+  Drive drive;
+  drive.begin = drive.end = fem::Load(solver_.space(), 1);
+  air_->from_flow->carry(there.begin, drive.begin);
+  air_->from_flow->carry(there.end, drive.end);
+  drive.from = moved_coordinates(*air_, solver_.space(), displacement_begin);
+  drive.to = moved_coordinates(*air_, solver_.space(), displacement_end);
+  drive.flow_begin = at_vertices(flow.pressure_begin, 1);
+  drive.flow_end = at_vertices(flow.pressure_end, 1);
+  if (!head_begin.empty()) {
+    drive.head_begin = at_vertices(head_begin, 1);
+    drive.head_end = at_vertices(head_end, 1);
+  }
+  if (!convection.empty()) {
+    fem::Field flow_velocity(*flow.space, scene_.parent.dimension), here(solver_.space(), scene_.parent.dimension);
+    flow_velocity.values = std::move(convection);
+    air_->from_flow->carry(flow_velocity, here);
+    drive.convection = std::move(here.values);
+  }
+  return drive;
+}
+
+void Voice::split(const Drive& drive, double part) {
+  const acoustic::State& state = solver_.state();
+  flow_.resize(drive.flow_begin.size());
+  for (std::size_t v = 0; v < flow_.size(); ++v) {
+    flow_[v] = (1 - part) * drive.flow_begin[v] + part * drive.flow_end[v];
+  }
+  if (analogy_->unknown() == Unknown::acoustic_pressure) return;
+  sound_.resize(state.psi.size());
+  for (std::size_t v = 0; v < sound_.size(); ++v) sound_[v] = settings_.density * state.psi[v] - flow_[v];
+  for (std::size_t v = 0; v < drive.head_begin.size(); ++v) {
+    sound_[v] -= (1 - part) * drive.head_begin[v] + part * drive.head_end[v];
+  }
+}
+
 acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& displacement_begin,
                                       const fem::Field& displacement_end) {
-  AnalogySource there = analogy_->source(flow);
-  for (double& value : there.begin.values) value *= fade(flow.time_begin);
-  for (double& value : there.end.values) value *= fade(flow.time_end);
-  fem::Load begin(solver_.space(), 1), end(solver_.space(), 1);
-  air_->from_flow->carry(there.begin, begin);
-  air_->from_flow->carry(there.end, end);
-
-  const std::vector<double> from = moved_coordinates(*air_, solver_.space(), displacement_begin);
-  const std::vector<double> to = moved_coordinates(*air_, solver_.space(), displacement_end);
+  const Drive drive = carry(flow, displacement_begin, displacement_end);
+  const auto scope = timers_.scope("acoustic");
   mesh::Mesh& mesh = air_->mesh();
-  for (const acoustic::FarField& far : microphones_.far_fields()) far.require_still(mesh, to);
-  const std::vector<double> first = flow_pressure(flow.pressure_begin), last = flow_pressure(flow.pressure_end);
-  std::vector<double> between(first.size());
+  for (const acoustic::FarField& far : microphones_.far_fields()) far.require_still(mesh, drive.to);
   const double start = solver_.state().time, dt = flow.time_end - flow.time_begin;
   // Microphones stand still and cells pass them: where they are counts at each sub-step.
   const auto listen = [&](double time) {
     const double part = (time - start) / dt;
-    for (std::size_t i = 0; i < to.size(); ++i) mesh.coordinates[i] = (1 - part) * from[i] + part * to[i];
+    for (std::size_t i = 0; i < mesh.coordinates.size(); ++i) {
+      mesh.coordinates[i] = (1 - part) * drive.from[i] + part * drive.to[i];
+    }
     microphones_.follow(mesh);
-    for (std::size_t v = 0; v < first.size(); ++v) between[v] = (1 - part) * first[v] + part * last[v];
-    const acoustic::FlowPressure heard = {between, air_->cell_has_flow};
-    microphones_.sample(time, solver_.state().p, &heard);
+    split(drive, part);
+    const acoustic::FlowPressure heard = {flow_, air_->cell_has_flow};
+    microphones_.sample(time, sound_.empty() ? solver_.state().p : sound_, &heard);
   };
-  const auto report = solver_.advance(dt, {from, to}, {.begin = &begin, .end = &end, .flux = {}}, listen);
-  mesh.coordinates = to;
+  const acoustic::Motion motion = {.begin = drive.from, .end = drive.to};
+  const auto report = solver_.advance(dt, motion, {.begin = &drive.begin, .end = &drive.end, .flux = {}}, listen);
+  mesh.coordinates = drive.to;
   return report;
+}
+
+acoustic::AdvanceReport Voice::follow(const FlowStep& step) {
+  {
+    const auto scope = timers_.scope("transfer");
+    follow_contact(step.in_contact, step.displacement_begin);
+  }
+  return follow(step.view, step.displacement_begin, step.displacement_end);
+}
+
+fem::Field Voice::pressure() const {
+  fem::Field result = solver_.pressure();
+  if (!sound_.empty()) result.values = sound_;
+  return result;
 }
 
 void Voice::move_to(const fem::Field& displacement) {

@@ -8,9 +8,11 @@
 
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "acoustic_solver/microphones.hpp"
+#include "core/base/timers.hpp"
 #include "coupling/air.hpp"
 #include "coupling/analogies/analogy.hpp"
 #include "coupling/case/case.hpp"
+#include "coupling/flow/flow_history.hpp"
 #include "coupling/scene.hpp"
 
 namespace vocalis::coupling {
@@ -25,12 +27,15 @@ struct Rebuilds {
 /// One [[acoustic]] of a case: a solver, the analogy that feeds it, and the microphones that listen to it.
 class Voice {
  public:
-  /// The scene must outlive the voice. Throws UserError for a microphone outside of the air, or a far field that cannot
-  /// be. Collective.
+  /// The scene must outlive the voice. Throws UserError for a microphone outside of the air, a far field that cannot
+  /// be, or an analogy that cannot do what the settings ask for. Collective.
   Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings);
 
-  /// Follows one accepted step of the flow. The air moves with the flow mesh: displacements [m] at the step's beginning
-  /// and end, P1 on the flow mesh, ghosts current. Collective.
+  /// Follows one accepted step of the flow, and its cells in contact. Collective.
+  acoustic::AdvanceReport follow(const FlowStep& step);
+
+  /// Follows one accepted step of the flow in the air as it is. The air moves with the flow mesh: displacements [m] at
+  /// the step's beginning and end, P1 on the flow mesh, ghosts current. Collective.
   acoustic::AdvanceReport follow(const FlowView& flow, const fem::Field& displacement_begin,
                                  const fem::Field& displacement_end);
 
@@ -60,6 +65,15 @@ class Voice {
   /// Which integrator the steps of the case get on the mesh as it is now, and why, in words. Collective.
   std::string integrator_words() const;
 
+  /// p_a [Pa] where the last step has led to, P1 on the air; with an analogy for the total pressure what p_ic leaves.
+  fem::Field pressure() const;
+  Analogy& analogy() { return *analogy_; }
+  const Analogy& analogy() const { return *analogy_; }
+  /// Which rates of the flow's pressure its analogy wants, and by how many steps it lags.
+  acoustic::PressureDerivative derivative() const { return settings_.analogy.pressure_derivative; }
+  /// Wall seconds of "analogy", "transfer" and "acoustic".
+  const base::Timers& timers() const { return timers_; }
+
   acoustic::AcousticSolver& solver() { return solver_; }
   const acoustic::AcousticSolver& solver() const { return solver_; }
   acoustic::Microphones& microphones() { return microphones_; }
@@ -68,9 +82,20 @@ class Voice {
   std::vector<std::int32_t> in_flow() const { return microphones_.in_flow(air_->cell_has_flow); }
 
  private:
+  /// What a flow's step is to the air.
+  struct Drive {
+    fem::Load begin, end;
+    std::vector<double> from, to;              ///< coordinates of the air's vertices [m]
+    std::vector<double> convection;            ///< (vertices, d) U [m/s]; empty: none
+    std::vector<double> flow_begin, flow_end;  ///< (vertices) p_ic [Pa]
+    std::vector<double> head_begin, head_end;  ///< (vertices) what is no pressure in the unknown [Pa]; empty: nothing
+  };
+  Drive carry(const FlowView& flow, const fem::Field& displacement_begin, const fem::Field& displacement_end);
   double fade(double time) const;
-  /// The flow's pressure at the acoustic mesh's vertices, of its fluid cells [Pa].
-  std::vector<double> flow_pressure(const std::vector<double>& of_flow_vertices) const;
+  /// Values at the flow mesh's vertices at those of the air that fluid cells have; else 0.
+  std::vector<double> at_vertices(const std::vector<double>& of_flow_vertices, int components) const;
+  /// p_a at a part of the step, and p_ic there.
+  void split(const Drive& drive, double part);
 
   Scene& scene_;
   acoustic::AcousticSettings settings_;
@@ -82,6 +107,8 @@ class Voice {
   Rebuilds rebuilds_;
   acoustic::AcousticSolver solver_;
   acoustic::Microphones microphones_;
+  std::vector<double> sound_, flow_;  ///< (vertices) p_a and p_ic of the last sub-step [Pa]; empty: p_a is the solver's
+  base::Timers timers_;
 };
 
 }  // namespace vocalis::coupling

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/fem/space.hpp"
@@ -13,14 +12,24 @@ namespace vocalis::coupling {
 struct FlowView {
   const fem::Space* space = nullptr;                 ///< P1 on the whole flow mesh: dofs are its vertices
   double time_begin = 0, time_end = 0;               ///< [s]
-  std::span<const std::int32_t> cell_is_fluid;       ///< (owned cells) at the beginning and throughout
-  std::span<const std::int32_t> vertex_is_silent;    ///< (vertices) of cells that were or are in contact: p_ic there is
+  std::vector<std::int32_t> cell_is_fluid;           ///< (owned cells) at the beginning and throughout
+  std::vector<std::int32_t> vertex_is_silent;        ///< (vertices) of cells that were or are in contact: p_ic there is
                                                      ///< not the air's at both times; empty: none
   std::vector<mesh::NamedFacet> outlet;              ///< facets where the flow ends inside the air
+  std::vector<mesh::NamedFacet> walls;               ///< facets where it ends elsewhere
   std::vector<double> coordinates_middle;            ///< (vertices, d) [m] half-way through the step
   std::vector<double> mesh_velocity;                 ///< (vertices, d) β [m/s]
   std::vector<double> pressure_begin, pressure_end;  ///< (vertices) p_ic [Pa], meant at vertices of fluid cells only
   std::vector<double> velocity_begin, velocity_end;  ///< (vertices, d) u_ic [m/s]
+  std::vector<double> pressure_rate_begin, pressure_rate_end;  ///< (vertices) ∂t p|χ [Pa/s]; both empty: the difference
+                                                               ///< of the pressures over dt, throughout
 };
+
+/// u_ic half-way through the step, (vertices, d) [m/s].
+inline std::vector<double> middle_velocity(const FlowView& flow) {
+  std::vector<double> result = flow.velocity_begin;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = 0.5 * (result[i] + flow.velocity_end[i]);
+  return result;
+}
 
 }  // namespace vocalis::coupling

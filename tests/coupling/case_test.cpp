@@ -134,7 +134,7 @@ TEST_CASE("a case file becomes settings, with the defaults of the structs") {
   CHECK(config.flow->boundaries[0].pressure == 800);
   CHECK(config.flow->boundaries[1].velocity == std::array<double, 3>{1, 0, 0});
   REQUIRE(config.acoustics.size() == 2);
-  CHECK(config.acoustics[0].analogy == "pressure_rate");
+  CHECK(config.acoustics[0].analogy.name == "pressure_rate");
   CHECK(config.acoustics[0].step == config.time.step);
   CHECK(config.acoustics[1].step == 2e-6);
   CHECK(config.acoustics[0].boundaries[0].radius == 0.05);
@@ -331,7 +331,7 @@ end = 0.02
   const Case config = read_case(MPI_COMM_WORLD, folder.write(text), {});
   CHECK_FALSE(config.flow.has_value());
   CHECK(config.time.step == 1e-6);
-  CHECK(config.acoustics[0].analogy == "none");
+  CHECK(config.acoustics[0].analogy.name == "none");
   REQUIRE(config.acoustics[0].boundaries.size() == 1);
   CHECK(config.acoustics[0].boundaries[0].kind == acoustic::AcousticBoundaryKind::flux);
   CHECK(config.resolved.find("viscosity") == std::string::npos);

@@ -35,7 +35,7 @@ Case config_with_microphones() {
 
 acoustic::AcousticSettings settings_with(ContactCells contact_cells, Integrator integrator = Integrator::automatic) {
   acoustic::AcousticSettings settings;
-  settings.analogy = "none";
+  settings.analogy.name = "none";
   settings.speed_of_sound = speed;
   settings.density = density;
   settings.step = dt / 2;

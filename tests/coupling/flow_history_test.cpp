@@ -1,7 +1,8 @@
-#include "coupling/flow_history.hpp"
+#include "coupling/flow/flow_history.hpp"
 
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
+#include "coupling/flow/solved_flow.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/coupling/small_scene.hpp"
 
@@ -30,7 +31,6 @@ fsi::FlowSettings settings() {
 }
 
 using Marks = std::vector<std::int32_t>;
-Marks copy(std::span<const std::int32_t> marks) { return {marks.begin(), marks.end()}; }
 
 }  // namespace
 
@@ -38,7 +38,9 @@ TEST_CASE("cells in contact emit nothing, nor in the step after they have opened
   const auto scene = slit();
   const mesh::Mesh& mesh = scene->flow->mesh;
   fsi::FsiSolver flow(mesh, settings(), {.end = 1, .step = 1e-4});
-  FlowHistory history(*scene, flow);
+  const SolvedFlow solved(*scene, flow);
+  FlowHistory history(*scene, snapshots_for(PressureDerivative::step), true);
+  history.restart(solved.snapshot());
   const Marks all = fluid_cells(*scene), none(mesh.num_vertices(), 0);
   Marks others = all, closed(mesh.num_cells(), 0);
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
@@ -51,10 +53,10 @@ TEST_CASE("cells in contact emit nothing, nor in the step after they have opened
   const Marks silent = mesh::mark_vertices_of_cells(mesh, closed);
   const auto step_with = [&](const Marks& marks, const Marks& emitting, const Marks& silence) {
     flow.set_contact(std::vector<char>(marks.begin(), marks.end()));
-    history.begin_step();
-    CHECK(copy(history.view().cell_is_fluid) == emitting);
-    CHECK(copy(history.view().vertex_is_silent) == silence);
-    history.end_step();
+    history.add(solved.snapshot());
+    const FlowView view = history.step(PressureDerivative::step).view;
+    CHECK(view.cell_is_fluid == emitting);
+    CHECK(view.vertex_is_silent == silence);
   };
   const Marks open(mesh.num_cells(), 0);
   step_with(open, all, none);

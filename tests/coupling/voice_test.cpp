@@ -16,8 +16,9 @@ namespace {
 // A piston blows u(t) into a duct. The flow reaches to x = L, where it ends inside the air of a duct that goes on for
 // ever, so its pressure is p_ic = ρ u'(t) (L - x), and 0 in the air beyond. The sound of the whole is u ρ c,
 // travelling.
-constexpr double length = 0.17, speed = 350, density = 1.14, width = 0.2e-3, delay = 1.2e-3;
-double blown(double t) { return std::exp(-std::pow((t - delay) / width, 2)); }
+// Analogies differ by the flow's Mach number, which is out of sight here.
+constexpr double length = 0.17, speed = 350, density = 1.14, width = 0.2e-3, delay = 1.2e-3, amplitude = 1e-4;
+double blown(double t) { return amplitude * std::exp(-std::pow((t - delay) / width, 2)); }
 double blown_rate(double t) { return -2 * (t - delay) / (width * width) * blown(t); }
 double incompressible(double x, double t) { return x < length ? density * blown_rate(t) * (length - x) : 0; }
 double travelling(double x, double t) { return density * speed * blown(t - x / speed); }
@@ -68,6 +69,7 @@ class FakeFlow {
     view.time_end = end;
     view.cell_is_fluid = is_fluid_;
     view.outlet = flow_outlet(scene_);
+    view.walls = flow_walls(scene_);
     const fem::Field first = displacement(begin), last = displacement(end);
     for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
       const double x = mesh.point(v)[0];
@@ -97,11 +99,14 @@ double swing(double x, double t) {
 }
 
 /// Largest |p_ic + p_a - exact| at both microphones over the largest |exact|.
-double error_of_duct(int cells, double (*displacement)(double, double)) {
+double error_of_duct(int cells, double (*displacement)(double, double), const std::string& analogy = "pressure_rate") {
   const auto scene = duct(cells);
   const double dt = 2 * length / cells / speed;
   const Case config = case_with_microphones();
-  Voice voice(*scene, config, air(0.51 * dt));  // two sub-steps
+  acoustic::AcousticSettings settings = air(0.51 * dt);  // two sub-steps
+  settings.analogy.name = analogy;
+  settings.analogy.mean_time = 1e-2;
+  Voice voice(*scene, config, settings);
   const FakeFlow flow(*scene, displacement);
   bool converged = true;
   for (int n = 0; n * dt < 3e-3; ++n) {
@@ -116,9 +121,9 @@ double error_of_duct(int cells, double (*displacement)(double, double)) {
   for (std::size_t sample = 1; sample < block.times.size(); sample += 2) {  // after each step: p_ic is meant there
     for (std::size_t m = 0; m < 2; ++m) {
       const double x = config.microphones[m].position[0], t = block.times[sample];
-      CHECK(block.flow[2 * sample + m] == Approx(incompressible(x, t)).margin(1e-9 * density * speed));
+      CHECK(block.flow[2 * sample + m] == Approx(incompressible(x, t)).margin(1e-9 * density * speed * amplitude));
       const double sum = block.values[2 * sample + m] + block.flow[2 * sample + m];
-      worst = std::max(worst, std::abs(sum - travelling(x, t)) / (density * speed));
+      worst = std::max(worst, std::abs(sum - travelling(x, t)) / (density * speed * amplitude));
     }
   }
   return base::largest(MPI_COMM_WORLD, worst);
@@ -140,6 +145,17 @@ TEST_CASE("the same while the mesh swings, and microphones stay where they are")
   CHECK(coarse / fine > 3);
 }
 
+TEST_CASE("analogies for p_a and for the whole pressure give the same sound of the duct") {
+  for (const std::string analogy : {"pcwe", "lighthill", "vortex", "ape"}) {
+    for (const auto displacement : {nowhere, swing}) {
+      const double coarse = error_of_duct(80, displacement, analogy), fine = error_of_duct(160, displacement, analogy);
+      CAPTURE(analogy, coarse, fine);
+      CHECK(coarse < 0.1);
+      CHECK(coarse / fine > 3);
+    }
+  }
+}
+
 TEST_CASE("a prescribed flux is the sound of a piston") {
   const auto scene = test::box_scene({length, 0.004, 0}, {80, 2, 0}, [](const auto&) { return RegionKind::air; });
   Case config;
@@ -153,7 +169,7 @@ TEST_CASE("a prescribed flux is the sound of a piston") {
   double worst = 0;
   for (std::size_t sample = 0; sample < block.times.size(); ++sample) {
     const double exact = travelling(0.9 * length, block.times[sample]);
-    worst = std::max(worst, std::abs(block.values[sample] - exact) / (density * speed));
+    worst = std::max(worst, std::abs(block.values[sample] - exact) / (density * speed * amplitude));
   }
   CHECK(worst < 0.01);
   if (base::rank(MPI_COMM_WORLD) == 0) CHECK(block.times.size() == 1000);
@@ -165,7 +181,7 @@ TEST_CASE("the source fades in") {
   const FakeFlow flow(*scene, nowhere);
   const auto sound_after_one_step = [&](double begin, double fade_in) {
     acoustic::AcousticSettings settings = air(dt);
-    settings.source_fade_in = fade_in;
+    settings.analogy.fade_in = fade_in;
     Voice voice(*scene, case_with_microphones(), settings);
     CHECK(
         voice.follow(flow.view(begin, begin + dt), flow.displacement(begin), flow.displacement(begin + dt)).converged);

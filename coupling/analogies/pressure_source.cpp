@@ -1,40 +1,46 @@
-#include "coupling/analogies/pressure_rate.hpp"
+#include "coupling/analogies/pressure_source.hpp"
 
 #include <algorithm>
 
 #include "core/fem/simplex.hpp"
 #include "core/mesh/geometry.hpp"
+#include "coupling/analogies/flow_cell.hpp"
 
 namespace vocalis::coupling {
 
 namespace {
 
-/// ∫_K Q φ_k dx for nodal Q, with the geometry of mid-step. Silent vertices have no rate, and cells with one no ∇p.
+/// ∂t p|χ over the whole step [Pa/s].
+std::vector<double> difference_rate(const FlowView& flow) {
+  const double dt = flow.time_end - flow.time_begin;
+  std::vector<double> rate(flow.pressure_end.size());
+  for (std::size_t v = 0; v < rate.size(); ++v) rate[v] = (flow.pressure_end[v] - flow.pressure_begin[v]) / dt;
+  return rate;
+}
+
+/// ∫_K Q φ_k dx for nodal Q. Silent vertices have no rate, and cells with one no ∇p.
 template <int Dimension>
-void add_volume_source(const FlowView& flow, double density, double speed_of_sound, fem::Load& load) {
+void add_volume_source(const FlowView& flow, const AnalogyMedium& medium, std::span<const double> velocity,
+                       const std::vector<double>& rate, fem::Load& load) {
   constexpr int corners = Dimension + 1;
   const mesh::Mesh& mesh = *flow.space->mesh;
-  const double dt = flow.time_end - flow.time_begin;
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     if (!flow.cell_is_fluid[cell]) continue;
     const auto vertices = mesh.vertices_of(cell);
-    std::array<const double*, corners> points;
-    for (int i = 0; i < corners; ++i) points[i] = flow.coordinates_middle.data() + vertices[i] * Dimension;
-    const auto geometry = fem::simplex_geometry<Dimension>(points);
-    const auto is_silent = [&](std::int32_t v) { return !flow.vertex_is_silent.empty() && flow.vertex_is_silent[v]; };
-    const bool has_gradient = std::none_of(vertices.begin(), vertices.end(), is_silent);
+    const auto geometry = geometry_of_cell<Dimension>(flow, vertices);
     std::array<double, Dimension> gradient = {};
-    for (int i = 0; has_gradient && i < corners; ++i) {
+    for (int i = 0; !has_silent_vertex(flow, vertices) && i < corners; ++i) {
       const double pressure = 0.5 * (flow.pressure_begin[vertices[i]] + flow.pressure_end[vertices[i]]);
       for (int k = 0; k < Dimension; ++k) gradient[k] += pressure * geometry.gradient[i][k];
     }
     std::array<double, corners> source;
     double total = 0;
     for (int i = 0; i < corners; ++i) {
+      const std::int32_t v = vertices[i];
       double convected = 0;
-      for (int k = 0; k < Dimension; ++k) convected += flow.mesh_velocity[vertices[i] * Dimension + k] * gradient[k];
-      const double rate = (flow.pressure_end[vertices[i]] - flow.pressure_begin[vertices[i]]) / dt;
-      source[i] = is_silent(vertices[i]) ? 0 : pressure_rate_density(rate, convected, density, speed_of_sound);
+      for (int k = 0; k < Dimension; ++k) convected += velocity[v * Dimension + k] * gradient[k];
+      source[i] = is_silent(flow, v) ? 0 : pressure_source_density(rate[v], convected, medium);
+      if (!medium.window.empty()) source[i] *= medium.window[v];
       total += source[i];
     }
     const double weight = geometry.measure / ((Dimension + 1) * (Dimension + 2));
@@ -61,16 +67,27 @@ void add_outlet_flux(const FlowView& flow, const std::vector<double>& velocity, 
   }
 }
 
+fem::Load volume_load(const FlowView& flow, const AnalogyMedium& medium, std::span<const double> velocity,
+                      const std::vector<double>& rate) {
+  fem::Load load(*flow.space, 1);
+  if (flow.space->mesh->dimension == 2) {
+    add_volume_source<2>(flow, medium, velocity, rate, load);
+  } else {
+    add_volume_source<3>(flow, medium, velocity, rate, load);
+  }
+  return load;
+}
+
 }  // namespace
 
-AnalogySource PressureRate::source(const FlowView& flow) const {
-  AnalogySource result = {fem::Load(*flow.space, 1), {}};
-  if (flow.space->mesh->dimension == 2) {
-    add_volume_source<2>(flow, density_, speed_of_sound_, result.begin);
+AnalogySource pressure_source(const FlowView& flow, const AnalogyMedium& medium, std::span<const double> velocity) {
+  AnalogySource result;
+  if (flow.pressure_rate_begin.empty()) {
+    result.begin = result.end = volume_load(flow, medium, velocity, difference_rate(flow));
   } else {
-    add_volume_source<3>(flow, density_, speed_of_sound_, result.begin);
+    result.begin = volume_load(flow, medium, velocity, flow.pressure_rate_begin);
+    result.end = volume_load(flow, medium, velocity, flow.pressure_rate_end);
   }
-  result.end = result.begin;
   add_outlet_flux(flow, flow.velocity_begin, result.begin);
   add_outlet_flux(flow, flow.velocity_end, result.end);
   return result;
