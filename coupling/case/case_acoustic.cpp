@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "core/base/error.hpp"
-#include "coupling/analogies/analogy.hpp"
 #include "coupling/case/case_sections.hpp"
 
 namespace vocalis::coupling {
@@ -13,7 +12,6 @@ namespace {
 using acoustic::Integrator;
 using base::UserError;
 using Contact = acoustic::ContactCells;
-using Derivative = acoustic::PressureDerivative;
 using Kind = acoustic::AcousticBoundaryKind;
 using Velocity = acoustic::VelocityElements;
 
@@ -69,46 +67,6 @@ acoustic::AbsorbingLayer read_layer(base::Table& table) {
   return layer;
 }
 
-/// The flow that carries sound, of analogies in which one does.
-void read_carrying_flow(base::Table& table, const Case& config, acoustic::AnalogySettings& analogy) {
-  const bool may_be_present = analogy.name == "pcwe";
-  if (!may_be_present && analogy.name != "ape") return;
-  analogy.convection = table.boolean_or("convection", analogy.convection);
-  analogy.mean_flow = !may_be_present || table.boolean_or("mean_flow", analogy.mean_flow);
-  if (analogy.mean_flow) {
-    analogy.mean_time = table.number_or("mean_time", config.time.end / 10, base::positive, "s");
-  }
-}
-
-void read_window(base::Table& table, acoustic::AnalogySettings& analogy) {
-  auto window = table.table_if("window");
-  if (!window) return;
-  const std::vector<double> centre = window->numbers("centre", 2, 3, "m");
-  std::copy(centre.begin(), centre.end(), analogy.window_centre.begin());
-  analogy.window_radius = window->number("radius", base::positive, "m");
-  analogy.window_width = window->number_or("width", analogy.window_width, base::not_negative, "m");
-}
-
-/// Without a flow there is nothing that an analogy could take sound from.
-acoustic::AnalogySettings read_analogy(base::Table& table, const Case& config) {
-  acoustic::AnalogySettings analogy;
-  analogy.name = table.text_or("analogy", config.flow ? analogy.name : "none", analogy_names());
-  if (!config.flow && analogy.name != "none") {
-    throw UserError(table.place("analogy") + " needs a flow to take the sound from",
-                    "\"" + analogy.name + "\" without [flow]", "write analogy = \"none\" beside [source]");
-  }
-  if (analogy.name == "none") return analogy;
-  analogy.fade_in = table.number_or("source_fade_in", analogy.fade_in, base::not_negative, "s");
-  read_window(table, analogy);
-  if (analogy.name == "pressure_rate" || analogy.name == "pcwe") {
-    analogy.pressure_derivative = table.choice_or<Derivative>(
-        "pressure_derivative", analogy.pressure_derivative,
-        {{"step", Derivative::step}, {"bdf2", Derivative::bdf2}, {"five_point", Derivative::five_point}});
-  }
-  read_carrying_flow(table, config, analogy);
-  return analogy;
-}
-
 double read_step(base::Table& table, const Case& config) {
   if (config.time.step > 0) return table.number_or("dt", config.time.step, base::positive, "s");
   return table.number("dt", base::positive, "s");
@@ -121,7 +79,7 @@ void read_acoustics(base::Table& root, Case& config) {
   for (base::Table& table : root.tables("acoustic")) {
     acoustic::AcousticSettings solver;
     solver.name = read_plain_name_or(table, "name", solver.name);
-    solver.analogy = read_analogy(table, config);
+    const std::vector<acoustic::AnalogySettings> analogies = read_analogies(table, config);
     solver.speed_of_sound = table.number_or("speed_of_sound", solver.speed_of_sound, base::positive, "m/s");
     solver.density = table.number_or("density", solver.density, base::positive, "kg/m^3");
     solver.wall_admittance = table.number_or("wall_admittance", solver.wall_admittance, base::not_negative);
@@ -147,8 +105,12 @@ void read_acoustics(base::Table& root, Case& config) {
     }
     reject_duplicates(table, "[[acoustic.boundary]]", groups);
     for (base::Table& layer : table.tables("layer")) solver.layers.push_back(read_layer(layer));
-    names.push_back(solver.name);
-    config.acoustics.push_back(solver);
+    for (const acoustic::AnalogySettings& analogy : analogies) {
+      config.acoustics.push_back(solver);
+      config.acoustics.back().analogy = analogy;
+      if (analogies.size() > 1) config.acoustics.back().name = solver.name + "_" + analogy.name;
+      names.push_back(config.acoustics.back().name);
+    }
   }
   reject_duplicates(root, "[[acoustic]]", names);
   if (config.time.step > 0) return;

@@ -16,6 +16,8 @@ void read_flow(base::Table& root, Case& config);
 void read_time(base::Table& root, Case& config);
 void read_contact(base::Table& root, Case& config);  ///< after regions, flow and time
 void read_acoustics(base::Table& root, Case& config);
+/// The analogies of one [[acoustic]] table, each a voice: `analogy` may be several names.
+std::vector<acoustic::AnalogySettings> read_analogies(base::Table& table, const Case& config);
 void read_source(MPI_Comm comm, base::Table& root, Case& config);  ///< collective
 void read_microphones(base::Table& root, Case& config);
 void read_monitors(base::Table& root, Case& config);

@@ -388,6 +388,23 @@ end = 0.02
   CHECK(signal->values[80] == Approx(2).epsilon(1e-4));
 }
 
+TEST_CASE("several analogies in one table are as many voices") {
+  const Folder folder;
+  const std::string several = "acoustic.0.analogy=[\"pcwe\", \"lighthill\"]";
+  const Case config = read_case(MPI_COMM_WORLD, folder.write(example), {several, "acoustic.0.mean_flow=true"});
+  REQUIRE(config.acoustics.size() == 3);
+  const auto& pcwe = config.acoustics[0];
+  CHECK(pcwe.name == config.acoustics[1].name.substr(0, config.acoustics[1].name.find('_')) + "_pcwe");
+  CHECK(pcwe.analogy.name == "pcwe");
+  CHECK(pcwe.analogy.mean_time == Approx(config.time.end / 10));
+  CHECK(config.acoustics[1].analogy.name == "lighthill");
+  CHECK(config.acoustics[1].boundaries.size() == pcwe.boundaries.size());
+  CHECK(config.acoustics[2].name.find('_') == std::string::npos);
+  CHECK_THAT(message_of(folder, example, {"acoustic.0.analogy=[\"pcwe\", \"lighthil\"]"}),
+             Contains("did you mean \"lighthill\""));
+  CHECK_THAT(message_of(folder, example, {"acoustic.0.analogy=[\"pcwe\", \"pcwe\"]"}), Contains("a name of its own"));
+}
+
 TEST_CASE("a case that contradicts itself is refused with the rule and a remedy") {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> mistakes = {
