@@ -82,21 +82,27 @@ def pareto_front(candidates, costs, errors):
     return front
 
 
+def along(points, axis):
+    """Points that differ in this axis only: of each such bundle the values of all other keys, and what each point has
+    for the axis' first key, with the point's index."""
+    bundles = []
+    for i, point in enumerate(points):
+        if axis.keys[0] not in point.values:
+            continue
+        others = {key: value for key, value in point.values.items() if key not in axis.keys}
+        bundle = next((bundle for bundle in bundles if same_settings(bundle[0], others)), None)
+        if bundle is None:
+            bundle = (others, [])
+            bundles.append(bundle)
+        bundle[1].append((point.values[axis.keys[0]], i))
+    return bundles
+
+
 def lines_of(study, points):
     """Lines along every axis with order = true; single points are none."""
     lines = []
     for axis in (axis for axis in study.axes if axis.order):
-        bundles = []
-        for i, point in enumerate(points):
-            if axis.keys[0] not in point.values:
-                continue
-            others = {key: value for key, value in point.values.items() if key not in axis.keys}
-            bundle = next((bundle for bundle in bundles if same_settings(bundle[0], others)), None)
-            if bundle is None:
-                bundle = (others, [])
-                bundles.append(bundle)
-            bundle[1].append((point.values[axis.keys[0]], i))
-        for _, members in bundles:
+        for _, members in along(points, axis):
             members.sort(key=lambda member: -member[0])
             if len(members) > 1:
                 lines.append(Line(axis, [i for _, i in members], [size for size, _ in members]))

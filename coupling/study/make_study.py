@@ -12,6 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "report")]
 
 import chart  # noqa: E402
+import value_chart  # noqa: E402
 from base_values import base_values  # noqa: E402
 from evaluation import evaluate  # noqa: E402
 from mistakes import UserError  # noqa: E402
@@ -89,8 +90,8 @@ def carry_out(study, options, program):
 def write(study, points, outcomes, folder, build=None):
     evaluation = evaluate(study, points, outcomes)
     write_csv(evaluation, folder.path / "study.csv")
-    picture = chart.draw(evaluation, folder.path)
-    path = write_page(evaluation, picture, folder.path / "study.html")
+    pictures = value_chart.draw(evaluation, folder.path), chart.draw(evaluation, folder.path)
+    path = write_page(evaluation, *pictures, folder.path / "study.html")
     older = sum(outcome.status != "waiting" and outcome.build != build for outcome in outcomes)
     if build and older:
         say(f"  {older} points are from an earlier build of this version; --anew computes all again")

@@ -8,7 +8,7 @@ from check_study import check_names, check_study
 from expectations import with_expectations
 from mistakes import UserError, did_you_mean
 from strict_table import StrictTable, flat
-from study import VARIATIONS, Axis, Reference, Study
+from study import VARIATIONS, Axis, Chart, Reference, Study
 
 
 def read_study(path):
@@ -43,6 +43,8 @@ def read_study(path):
     if of_the_case:
         study.references = with_expectations(study.case, study.references)
     study.default = flat(root.take("default", dict, {}))
+    if "chart" in root:
+        study.chart = _chart(StrictTable(root.take("chart", dict), f"{path}, [chart]"), study.axes)
     root.end()
     check_study(study)
     return study
@@ -89,7 +91,7 @@ def _axis(table, vary):
         raise UserError(f"{table.place}: each of values must be a list with one value for each key",
                         f"{len(keys)} keys, {values}", "write for example values = [[0.04, 0.01], [0.02, 0.005]]")
     axis = Axis(keys, [tuple(value) if several else (value,) for value in values], table.take("label", str, ""),
-                table.take("order", bool, False))
+                table.take("order", bool, False), table.take("unit", str, ""))
     table.end()
     for value in axis.values:
         for key, part in zip(keys, value):
@@ -99,6 +101,33 @@ def _axis(table, vary):
             raise UserError(f"{table.place}: an order needs sizes, numbers above 0", repr(value[0]),
                             "leave out order, or give sizes, the smaller the finer")
     return axis
+
+
+def _chart(table, axes):
+    """`x` names axes by one of their keys, all axes of numbers otherwise; `y` results. Each one or a list."""
+    numbers = [axis for axis in axes
+               if all(isinstance(value[0], (int, float)) and not isinstance(value[0], bool) for value in axis.values)]
+    known = {key: axis for axis in numbers for key in axis.keys}
+    keys = _one_or_more(table, "x", [axis.keys[0] for axis in numbers])
+    for key in keys:
+        if key not in known:
+            raise UserError(f"{table.place}: x must be a key that an axis varies over numbers", repr(key),
+                            did_you_mean(key, list(known)))
+    chart = Chart([known[key] for key in keys], _one_or_more(table, "y", []))
+    if not chart.axes or not chart.results:
+        raise UserError(f"{table.place}: a chart needs an axis of numbers and a result",
+                        f"{len(chart.axes)} and {len(chart.results)}", 'write for example y = "f0_Hz"')
+    table.end()
+    return chart
+
+
+def _one_or_more(table, key, default):
+    value = table.take_any(key, default)
+    names = value if isinstance(value, list) else [value]
+    if not all(isinstance(name, str) for name in names):
+        raise UserError(f"{table.place}: {key} must be a name, or a list of names", repr(value),
+                        f'write {key} = "NAME"')
+    return names
 
 
 def _point(table):

@@ -59,10 +59,15 @@ def targets(study, points, outcomes):
 
 
 def missing_results(study, outcomes):
-    """A UserError for the first reference whose result no finished run gave; None if there is none."""
+    """A UserError for the first result of a reference or of the chart that no finished run gave; None if there is
+    none."""
+    if not any(outcome.finished for outcome in outcomes):
+        return None
     given = sorted({name for outcome in outcomes for name in outcome.results})
-    for reference in study.references if any(outcome.finished for outcome in outcomes) else ():
-        if reference.result not in given:
-            return UserError(f"{study.path}: a reference must be of a result that the runs give",
-                             f'"{reference.result}"', did_you_mean(reference.result, given))
+    asked = [("a reference", reference.result) for reference in study.references]
+    asked += [("a chart", name) for name in (study.chart.results if study.chart else ())]
+    for what, name in asked:
+        if name not in given:
+            return UserError(f"{study.path}: {what} must be of a result that the runs give", f'"{name}"',
+                             did_you_mean(name, given))
     return None

@@ -14,6 +14,15 @@ class Axis:
     values: list
     label: str  # "" if the file gives none
     order: bool  # the first key is a size h: results converge as h -> 0
+    unit: str = ""  # of the first key
+
+
+@dataclass
+class Chart:
+    """Results against the values of some axes."""
+
+    axes: list
+    results: list
 
 
 @dataclass
@@ -43,6 +52,7 @@ class Study:
     references: list
     default: dict  # key -> value of the point that the case ships, as far as the file says
     reference_point: dict
+    chart: Chart | None = None
 
     def varied_keys(self):
         """Every key that some point changes, in the order of the file."""

@@ -10,11 +10,16 @@ ORDER_WORDS = """Of the three finest levels of each line; the limit is Richardso
 levels, nor where values do not change steadily."""
 CAPTION = """Error against cost. Differences within the band say nothing: the reference is no better. Cost: user and
 system time of all ranks, start and mesh with it."""
+VALUES_CAPTION = """Results against what is varied. A ring marks what the case ships, a cross at the bottom a point
+without this result."""
 
 
-def write_page(evaluation, chart, path):
+def write_page(evaluation, values, chart, path):
+    """values, chart: pictures, each or None."""
     study = evaluation.study
     body = [_state(evaluation)]
+    if values:
+        body.append(page.picture(values, VALUES_CAPTION))
     if chart:
         body.append(page.picture(chart, CAPTION))
     body += ["<h2>Cost</h2>", _costs(evaluation)]

@@ -28,6 +28,7 @@ import evaluation  # noqa: E402
 import make_study  # noqa: E402
 import points  # noqa: E402
 import read_study  # noqa: E402
+import value_chart  # noqa: E402
 from test_report import Checker  # noqa: E402
 
 FAKE = f"/usr/bin/python3 -IS '{HERE / 'fake_program.py'}'"
@@ -153,6 +154,37 @@ class StudyTest(unittest.TestCase):
         table = (self.folder / "table.md").read_text(encoding="utf-8")
         self.assertRegex(table, r"\| drag mean \[N\] \| 135.\d+ \| 112.\d+ \| 104.\d+ \| 1.5 \| 100.1 \| 100 \| 0.5 %"
                                 r" \| \*\*\+4.6 %\*\* \| 2 % \|")
+
+    def test_a_chart_shows_results_against_each_axis_of_numbers(self):
+        chart = '[chart]\ny = ["drag_mean_N", "drag_frequency_Hz"]\n'
+        case = CASE + "fails_at = 0.2\n"
+        self.write(STUDY.replace("order = true", 'order = true\nlabel = "h"\nunit = "m"') + chart, case)
+        save = value_chart.style.save
+        with unittest.mock.patch("value_chart.style.save", side_effect=save) as saved:
+            self.start()
+        panels = saved.call_args.args[0].axes
+        self.assertEqual([panel.get_ylabel() for panel in panels], ["drag mean [N]", "drag frequency [Hz]"])
+        self.assertEqual(panels[1].get_xlabel(), "h [mm]")
+        drawn = {line.get_label(): line.get_xydata() for line in panels[0].lines}
+        for elements, factor, order in (("P1P1", 4, 1.5), ("P2P1", 2, 3)):
+            for (place, value), size in zip(drawn[elements], (0.05, 0.1), strict=True):  # 0.2 has failed
+                self.assertAlmostEqual(place, 1000 * size)
+                self.assertAlmostEqual(value, 100 * (1 + factor * size**order + 0.001), places=5)
+        crosses = [line.get_xydata()[0, 0] for line in panels[0].lines if line.get_marker() == "x"]
+        self.assertEqual(crosses, [200, 200])
+        rings = [line.get_xydata()[0, 0] for line in panels[0].lines if line.get_fillstyle() == "none"]
+        self.assertEqual(rings, [100])  # P1P1, size 0.1
+        self.assertTrue((self.folder / "out/made_up/values.png").read_bytes().startswith(b"\x89PNG"))
+        page = Checker((self.folder / "out/made_up/study.html").read_text(encoding="utf-8"))
+        self.assertEqual(len(page.images), 1)
+        self.assertIn("Results against what is varied", page.text)
+
+    def test_a_chart_shows_the_axes_that_it_names(self):
+        again = '[[axis]]\nkey = ["time.dt", "fake.seconds"]\nvalues = [[0.1, 0], [0.05, 0]]\n'
+        chart = '[chart]\nx = "fake.seconds"\ny = "drag_mean_N"\n'
+        self.write(STUDY + again + chart)
+        axes = read_study.read_study(self.folder / "study.toml").chart.axes
+        self.assertEqual([axis.keys for axis in axes], [("time.dt", "fake.seconds")])
 
     def test_the_table_keeps_the_text_around_its_marks_and_refuses_a_file_without_them(self):
         self.start("--table", "table.md")
@@ -315,6 +347,11 @@ value = 4.0
         self.refuse(STUDY.replace("[study]", "[study"), "must be a TOML file")
         self.refuse(STUDY.split("[[axis]]")[0], "no [[axis]] and no [[point]]")
         self.refuse(STUDY.split("[[reference]]")[0], "measure errors against")
+        self.refuse(STUDY + '[chart]\nx = "mesh.sise"\ny = "drag_mean_N"\n', 'did you mean "mesh.size"?')
+        self.refuse(STUDY + '[chart]\nx = "flow.elements"\ny = "drag_mean_N"\n', "varies over numbers", "mesh.size")
+        self.refuse(STUDY + '[chart]\nx = "mesh.size"\n', "an axis of numbers and a result")
+        self.refuse(STUDY + "[chart]\ny = 1\n", "y must be a name")
+        self.refuse(STUDY + '[chart]\nz = 1\ny = "drag_mean_N"\n', "not known", "choose one of: x, y")
         self.assertEqual(self.starts(), [])
 
     def test_what_the_program_does_not_take_is_told_before_the_first_run(self):
@@ -324,6 +361,8 @@ value = 4.0
     def test_a_result_that_no_run_gave_is_told_with_the_nearest_name(self):
         self.refuse(STUDY.replace('result = "lift_mean_N"', 'result = "lift_maen_N"'), 'did you mean "lift_mean_N"?')
         self.assertEqual(len(self.rows()), 18)  # what was computed is not lost
+        self.write(STUDY + '[chart]\ny = "drag_maen_N"\n')
+        self.assertIn('a chart must be of a result', self.start(code=2))
 
     def test_a_wrong_command_is_told(self):
         for options in (["--job", "0"], ["--jobs", "0"], ["--ranks", "2"], ["--again", "--anew"]):
