@@ -13,6 +13,7 @@ namespace {
 using Series = std::span<const double>;
 
 constexpr double declination_interval = 2e-4;  // [s]
+constexpr double wide = 0.2;                   // of the range of the opening
 
 std::optional<double> largest(Series times, Series values, double begin, double end) {
   std::optional<double> result;
@@ -36,6 +37,19 @@ double mean(Series times, Series values, double begin, double end) {
   }
   advance(end, linear_at(times, values, end));
   return sum / (end - begin);
+}
+
+/// Time in [begin, end] for which the polygon through the samples is above a level.
+double time_above(Series times, Series values, double begin, double end, double level) {
+  double sum = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double t0 = std::max(times[i - 1], begin), t1 = std::min(times[i], end);
+    if (t1 <= t0) continue;
+    const double v0 = linear_at(times, values, t0) - level, v1 = linear_at(times, values, t1) - level;
+    const double high = std::max(v0, v1), low = std::min(v0, v1);
+    if (high > 0) sum += (t1 - t0) * (low >= 0 ? 1 : high / (high - low));
+  }
+  return sum;
 }
 
 /// A sample tells of the step that ended there: the opening is 0 if the glottis was sealed during the whole of it.
@@ -70,6 +84,9 @@ CycleFigures measure_cycle(const GlottalCycle& cycle, const PhonationSeries& ser
   const Series times = series.times;
   figures.frequency = 1 / period;
   if (cycle.closed) figures.open_quotient = (cycle.closes - cycle.opens) / period;
+  const double least = extremum(times, series.opening, begin, end, -1)->value;
+  const double level = least + wide * (cycle.largest_opening - least);
+  figures.wide_quotient = time_above(times, series.opening, begin, end, level) / period;
   figures.closing_quotient = (cycle.closes - cycle.peak) / period;
   if (cycle.closes > cycle.peak) figures.speed_quotient = (cycle.peak - cycle.opens) / (cycle.closes - cycle.peak);
   figures.peak_speed = largest(times, series.speed, begin, end);

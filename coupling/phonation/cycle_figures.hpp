@@ -26,6 +26,7 @@ struct CycleFigures {
   GlottalCycle cycle;
   double frequency = 0;                 ///< 1 / period [Hz]
   double open_quotient = 1;             ///< time open / period; 1 if the folds do not close
+  double wide_quotient = 1;             ///< time with more than a fifth of the opening's range / period
   double closing_quotient = 0;          ///< (closes - peak) / period
   double speed_quotient = 0;            ///< (peak - opens) / (closes - peak)
   std::optional<double> peak_flow;      ///< the largest
@@ -38,6 +39,7 @@ struct CycleFigures {
   std::vector<double> amplitudes;       ///< (largest - smallest) / 2 of each displacement
 };
 
+/// `wide_quotient` is what cameras and flow masks, which do not see a narrow slit, take for the open quotient.
 /// Sources: open quotient and speed quotient Timcke, von Leden & Moore 1958 (Arch. Otolaryngol. 68, 1); of area and
 /// flow, closing quotient and maximum flow declination rate Holmberg, Hillman & Perkell 1988 (J. Acoust. Soc. Am. 84,
 /// 511); Titze 2000, Principles of Voice Production.

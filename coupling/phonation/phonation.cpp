@@ -81,6 +81,7 @@ using Named = std::vector<std::pair<std::string, double>>;
 Named named(const CycleFigures& figures, const Recorded& recorded) {
   Named result = {{"f0_Hz", figures.frequency},
                   {"open_quotient", figures.open_quotient},
+                  {"open_quotient_above_20_percent", figures.wide_quotient},
                   {"closing_quotient", figures.closing_quotient},
                   {"speed_quotient", figures.speed_quotient},
                   {recorded.opening.stem + "_peak" + recorded.opening.unit, figures.cycle.largest_opening}};

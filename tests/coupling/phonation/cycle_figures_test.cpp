@@ -25,6 +25,7 @@ TEST_CASE("quotients of a triangular pulse are those of its sides", "[serial]") 
   const CycleFigures figures = last_cycle({.times = times, .opening = area});
   CHECK(figures.frequency == Approx(125).epsilon(1e-4));
   CHECK(figures.open_quotient == Approx(4.5 / 8).margin(2 * step / pulse.period));
+  CHECK(figures.wide_quotient == Approx(0.8 * 4.5 / 8).margin(2 * step / pulse.period));
   CHECK(figures.closing_quotient == Approx(1.5 / 8).margin(2 * step / pulse.period));
   CHECK(figures.speed_quotient == Approx(2).epsilon(0.02));
   CHECK_FALSE(figures.peak_flow);
@@ -48,6 +49,7 @@ TEST_CASE("folds that do not close are open all the time", "[serial]") {
   const auto [times, area] = sample([](double t) { return 3 - 2 * std::cos(2 * M_PI * 125 * t); }, 0.045, step);
   const CycleFigures figures = last_cycle({.times = times, .opening = area, .glottal_flow = area});
   CHECK(figures.open_quotient == 1);
+  CHECK(figures.wide_quotient == Approx(std::acos(-0.6) / M_PI).epsilon(1e-3));
   CHECK(figures.closing_quotient == Approx(0.5).epsilon(1e-3));
   CHECK_FALSE(figures.leak);
 }
