@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -12,8 +13,11 @@ namespace vocalis::contact {
 /// The closed cells of the medial axis, of all ranks and the same on each.
 struct ClosedCells {
   int dimension = 2;
-  std::vector<double> middles;  ///< (closed cells, dimension) [m]
-  std::vector<double> normals;  ///< (closed cells, dimension) across the gap at closing
+  std::vector<double> middles = {};  ///< (closed cells, dimension) [m]
+  std::vector<double> normals = {};  ///< (closed cells, dimension) across the gap at closing
+
+  int axis = 0;                         ///< along which they lie farthest apart ...
+  std::vector<std::size_t> order = {};  ///< ... and their order along it
 
   std::size_t count() const { return normals.size() / dimension; }
 

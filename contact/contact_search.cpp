@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/closed_cells.hpp"
+#include "contact/crushed.hpp"
 #include "contact/pockets.hpp"
 #include "contact/slivers.hpp"
 #include "core/base/mpi.hpp"
@@ -69,13 +70,11 @@ ContactSearch::ContactSearch(const mesh::Mesh& mesh, std::span<const char> cell_
   const double widest = 2 * settings.alpha * base::largest(mesh.comm, longest);
   bound_ = widest / share_of_rest;
   closes_below_.assign(length_.size(), 0.0);
-  std::string reason;
-  const auto walls_at_rest = measure(mesh.coordinates, reason);
-  std::optional<AxisGap> rest;
-  if (walls_at_rest) rest = axis_gap(*walls_at_rest, mesh.coordinates, settings.gamma);
+  const auto walls_at_rest = measure(mesh.coordinates, failed_at_rest_);
+  if (!walls_at_rest) return;
+  const AxisGap rest = axis_gap(*walls_at_rest, mesh.coordinates, settings.gamma);
   for (std::size_t cell = 0; cell < length_.size(); ++cell) {
-    const double at_rest = rest ? rest->gap[cell] : std::numeric_limits<double>::infinity();
-    closes_below_[cell] = std::min(2 * settings.alpha * length_[cell], share_of_rest * at_rest);
+    closes_below_[cell] = std::min(2 * settings.alpha * length_[cell], share_of_rest * rest.gap[cell]);
   }
 }
 
@@ -126,6 +125,10 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
                                        const ContactLoad& load) {
   ContactProposal proposal;
   proposal.state = state;
+  if (!failed_at_rest_.empty()) {
+    proposal.reason = failed_at_rest_ + ", at rest";
+    return proposal;
+  }
   const auto walls = measure(coordinates, proposal.reason);
   if (!walls) return proposal;
   const AxisGap gaps = axis_gap(*walls, coordinates, settings_.gamma);

@@ -91,6 +91,7 @@ class ContactSearch {
   fem::Space space_;                       ///< P1 on the fluid's cells
   std::vector<double> length_;             ///< (owned cells) h [m]; 0 outside of the fluid
   std::vector<double> closes_below_;       ///< (owned cells) [m]
+  std::string failed_at_rest_;             ///< why gaps at rest are not known: then nothing can be proposed
   double bound_ = 0;                       ///< [m] beyond which distances are not needed
   std::vector<std::int32_t> wall_points_;  ///< vertices
   std::optional<Eikonal> eikonal_;

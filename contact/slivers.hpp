@@ -16,13 +16,4 @@ namespace vocalis::contact {
 /// Collective.
 std::vector<char> find_slivers(const WallDistance& walls, std::span<const char> in_contact);
 
-/// Whether each owned cell of the fluid that is not in contact has a corner of a contact cell, is narrow as for
-/// `find_pockets`, and is as thin as a 17th of its longest edge, d! measure / edge^d < 0.06: it closes before it is
-/// crushed.
-///
-/// coordinates  (vertices, dimension) [m], ghosts current
-/// Collective.
-std::vector<char> find_crushed(const WallDistance& walls, std::span<const double> width,
-                               std::span<const double> coordinates, std::span<const char> in_contact);
-
 }  // namespace vocalis::contact

@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
+#include "core/mesh/geometry.hpp"
 
 namespace vocalis::fsi {
 
@@ -161,40 +162,12 @@ fem::Field at_vertices(const Continuum& continuum, const fem::Field& field) {
   return result;
 }
 
-namespace {
-
-/// As mesh::quality, at other coordinates.
-double quality_at(const mesh::Mesh& mesh, std::int32_t cell, const std::vector<double>& coordinates) {
-  const int d = mesh.dimension;
-  const auto vertices = mesh.vertices_of(cell);
-  double e[4][3] = {}, squares = 0;
-  for (int i = 0; i <= d; ++i) {
-    for (int j = 0; j < i; ++j) {
-      for (int k = 0; k < d; ++k) {
-        const double edge = coordinates[static_cast<std::size_t>(vertices[i]) * d + k] -
-                            coordinates[static_cast<std::size_t>(vertices[j]) * d + k];
-        squares += edge * edge;
-        if (j == 0) e[i][k] = edge;
-      }
-    }
-  }
-  const double volume =
-      d == 2 ? 0.5 * (e[1][0] * e[2][1] - e[1][1] * e[2][0])
-             : (e[1][0] * (e[2][1] * e[3][2] - e[2][2] * e[3][1]) - e[1][1] * (e[2][0] * e[3][2] - e[2][2] * e[3][0]) +
-                e[1][2] * (e[2][0] * e[3][1] - e[2][1] * e[3][0])) /
-                   6;
-  const double ratio = volume / (d == 2 ? std::sqrt(3.0) / 4 : std::sqrt(2.0) / 12);
-  return std::copysign((d == 2 ? 3 : 6) * std::pow(std::abs(ratio), 2.0 / d) / squares, ratio);
-}
-
-}  // namespace
-
 double smallest_fluid_quality(const Continuum& continuum, const std::vector<double>& coordinates) {
   double lowest = 1;
   for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
     const std::int32_t solid = continuum.cell_solid[cell];
     if (solid >= 0 && solid != continuum.contact) continue;
-    lowest = std::min(lowest, quality_at(*continuum.mesh, cell, coordinates));
+    lowest = std::min(lowest, mesh::quality(*continuum.mesh, cell, coordinates));
   }
   return base::smallest(continuum.mesh->comm, lowest);
 }

@@ -8,10 +8,17 @@ namespace vocalis::mesh {
 
 namespace {
 
-std::array<double, 3> difference(const Mesh& mesh, std::int32_t from, std::int32_t to) {
+std::array<double, 3> difference(int dimension, std::span<const double> coordinates, std::int32_t from,
+                                 std::int32_t to) {
   std::array<double, 3> result = {0, 0, 0};
-  for (int i = 0; i < mesh.dimension; ++i) result[i] = mesh.point(to)[i] - mesh.point(from)[i];
+  const double* start = coordinates.data() + static_cast<std::size_t>(from) * dimension;
+  const double* end = coordinates.data() + static_cast<std::size_t>(to) * dimension;
+  for (int i = 0; i < dimension; ++i) result[i] = end[i] - start[i];
   return result;
+}
+
+std::array<double, 3> difference(const Mesh& mesh, std::int32_t from, std::int32_t to) {
+  return difference(mesh.dimension, mesh.coordinates, from, to);
 }
 
 std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -57,22 +64,25 @@ FacetGeometry facet_geometry(const Mesh& mesh, std::int32_t cell, int facet) {
   return result;
 }
 
-double quality(const Mesh& mesh, std::int32_t cell) {
+double quality(const Mesh& mesh, std::int32_t cell) { return quality(mesh, cell, mesh.coordinates); }
+
+double quality(const Mesh& mesh, std::int32_t cell, std::span<const double> coordinates) {
   const int d = mesh.dimension;
   const auto vertices = mesh.vertices_of(cell);
+  std::array<std::array<double, 3>, 4> edges = {};  // from the first vertex
   // |F|² for F = E R⁻¹ with the regular simplex R of unit edges is, up to a constant, the sum of squared edge lengths.
   double squares = 0;
   for (int i = 0; i <= d; ++i) {
     for (int j = 0; j < i; ++j) {
-      const auto edge = difference(mesh, vertices[i], vertices[j]);
+      const auto edge = difference(mesh.dimension, coordinates, vertices[j], vertices[i]);
       squares += dot(edge, edge);
+      if (j == 0) edges[i] = edge;
     }
   }
-  const double volume = signed_volume(mesh, vertices);
+  const double volume = d == 2 ? 0.5 * cross(edges[1], edges[2])[2] : dot(cross(edges[1], edges[2]), edges[3]) / 6;
   const double regular_volume = d == 2 ? std::sqrt(3.0) / 4 : std::sqrt(2.0) / 12;
-  const double edges = d == 2 ? 3 : 6;
   const double ratio = volume / regular_volume;
-  return std::copysign(edges * std::pow(std::abs(ratio), 2.0 / d) / squares, ratio);
+  return std::copysign((d == 2 ? 3 : 6) * std::pow(std::abs(ratio), 2.0 / d) / squares, ratio);
 }
 
 double smallest_quality(const Mesh& mesh) {

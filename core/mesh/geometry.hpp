@@ -25,6 +25,9 @@ std::array<std::int32_t, 3> facet_vertices(const Mesh& mesh, std::int32_t cell, 
 /// The inverse of Q in Degirmenci 2018, eq. (2.6).
 double quality(const Mesh& mesh, std::int32_t cell);
 
+/// The same with the vertices elsewhere: (vertices, dimension) [m].
+double quality(const Mesh& mesh, std::int32_t cell, std::span<const double> coordinates);
+
 /// Smallest quality over all ranks. Collective.
 double smallest_quality(const Mesh& mesh);
 

@@ -65,6 +65,20 @@ TEST_CASE("Cells close where the gap is below that of alpha, and open where it i
   CHECK(channel.in_contact() == 0);
 }
 
+TEST_CASE("Without the gaps at rest nothing is proposed, and the reason is told") {
+  Channel channel(4);
+  ContactSettings settings;
+  settings.distance = DistanceMethod::eikonal;
+  const std::vector<double> good = channel.mesh.coordinates;
+  for (double& coordinate : channel.mesh.coordinates) coordinate = std::numeric_limits<double>::quiet_NaN();
+  ContactSearch search(channel.mesh, channel.fluid, channel.walls(), {}, settings);
+  channel.mesh.coordinates = good;
+  const ContactProposal proposal =
+      search.propose(channel.squeezed([](double) { return 0.1; }), channel.state, channel.load);
+  REQUIRE_ON_ALL_RANKS(proposal.reason.find("at rest") != std::string::npos);
+  CHECK(proposal.closed == 0);
+}
+
 TEST_CASE("A channel that is narrow at rest does not close before its gap has halved") {
   ContactSettings settings;
   settings.alpha = 1;
