@@ -7,6 +7,7 @@
 #include "core/base/log.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/geometry.hpp"
+#include "coupling/balance.hpp"
 #include "coupling/simulation.hpp"
 #include "coupling/summary.hpp"
 
@@ -19,6 +20,15 @@ namespace {
 constexpr double flow_seconds_per_unknown = 2.5e-6, acoustic_seconds_per_unknown = 3.5e-7;
 // Bytes an unknown: matrix, factors, vectors.
 constexpr double flow_bytes_per_unknown = 6000, acoustic_bytes_per_unknown = 1000;
+
+void say_balance(base::Log& log, const std::string& solver, const mesh::Mesh& mesh) {
+  const Balance found = balance(mesh);
+  if (found.ranks > 1) {
+    log.info("#     up to {} cells a rank, {:.1f} % above the mean", found.largest_share, 100 * found.imbalance());
+  }
+  const std::string words = advice(solver, found);
+  if (!words.empty()) log.info("#     NOTE: {}", words);
+}
 
 }  // namespace
 
@@ -39,6 +49,7 @@ int check(MPI_Comm comm, const Command& command) {
     const double unknowns = static_cast<double>(simulation.flow()->num_unknowns());
     log.info("#   flow: {} cells, {:.0f} unknowns, {:.0f} steps of {:.3g} s", scene->flow->mesh.cells.num_global,
              unknowns, steps, config.time.step);
+    say_balance(log, "the flow", scene->flow->mesh);
     seconds += steps * unknowns * flow_seconds_per_unknown;
     bytes += unknowns * flow_bytes_per_unknown;
   }
@@ -49,6 +60,7 @@ int check(MPI_Comm comm, const Command& command) {
     log.info("#   {}: {} cells, {:.0f} unknowns, {:.0f} steps", settings.name, scene->acoustic->mesh.cells.num_global,
              unknowns, sub_steps);
     log.info("#     {}", simulation.voices()[i]->integrator_words());
+    say_balance(log, settings.name, scene->acoustic->mesh);
     seconds += sub_steps * unknowns * acoustic_seconds_per_unknown / base::size(comm);
     bytes += unknowns * acoustic_bytes_per_unknown;
   }

@@ -16,6 +16,7 @@
 #include "core/io/wav.hpp"
 #include "coupling/history_columns.hpp"
 #include "coupling/phonation/phonation.hpp"
+#include "coupling/sound_comparison.hpp"
 #include "coupling/spectra_file.hpp"
 
 namespace vocalis::coupling {
@@ -148,7 +149,7 @@ std::vector<Channel> channels(const Case& config) {
     const std::string& solver = config.acoustics[i].name;
     for (const acoustic::MicrophoneSettings& microphone : config.microphones) {
       const std::string suffix = config.acoustics.size() == 1 ? microphone.name : solver + "." + microphone.name;
-      result.push_back({suffix, "pressure_Pa." + suffix, solver, microphones_file(config, i)});
+      result.push_back({suffix, "pressure_Pa." + suffix, solver, microphone.name, microphones_file(config, i)});
     }
   }
   return result;
@@ -192,6 +193,7 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     figures.sounds.push_back({channel, std::move(analysis)});
   }
   write_spectra((run / "spectra.csv").string(), config, figures.sounds);
+  write_third_octaves((run / "third_octaves.csv").string(), config, figures.sounds);
   write_harmonics((run / "harmonics.csv").string(), config, figures.sounds);
   return figures;
 }

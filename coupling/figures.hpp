@@ -13,7 +13,7 @@ namespace vocalis::coupling {
 struct Channel {
   std::string suffix;  ///< "mouth", or "lighthill.mouth" where a case has several solvers
   std::string column;  ///< "pressure_Pa.mouth"
-  std::string solver;
+  std::string solver, microphone;
   std::string file;  ///< of the run folder: microphones.csv, or microphones_NAME.csv of a later solver
 };
 
@@ -42,8 +42,8 @@ std::string microphones_file(const Case& config, std::size_t solver);
 inline constexpr const char* source_column = "source_m_s";
 
 /// Reads history.csv and microphones.csv of a run folder and computes all figures; writes periods.csv, spectra.csv,
-/// harmonics.csv and one .wav per microphone. One rank, not collective. Throws UserError if a file is missing, or has
-/// not the case's columns.
+/// harmonics.csv, third_octaves.csv and one .wav per microphone. One rank, not collective. Throws UserError if a file
+/// is missing, or has not the case's columns.
 Figures evaluate_run(const Case& config, const std::string& folder);
 
 }  // namespace vocalis::coupling

@@ -10,8 +10,10 @@
 #include "core/base/log.hpp"
 #include "core/base/mpi.hpp"
 #include "core/base/stopwatch.hpp"
+#include "coupling/balance.hpp"
 #include "coupling/checkpoint_state.hpp"
 #include "coupling/run_folder.hpp"
+#include "coupling/sound_comparison.hpp"
 #include "coupling/sound_table.hpp"
 #include "coupling/summary.hpp"
 
@@ -32,10 +34,12 @@ RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
   facts.cells["parent"] = scene.parent.cells.num_global;
   if (scene.flow) {
     facts.cells["flow"] = scene.flow->mesh.cells.num_global;
+    facts.imbalance["flow"] = balance(scene.flow->mesh).imbalance();
     facts.unknowns["flow"] = simulation.flow()->num_unknowns();
   }
   if (scene.acoustic) {
     facts.cells["acoustic"] = scene.acoustic->mesh.cells.num_global;
+    facts.imbalance["acoustic"] = balance(scene.acoustic->mesh).imbalance();
     facts.unknowns["acoustic"] = 2 * scene.acoustic->mesh.vertices.num_global;
   }
   return facts;
@@ -44,16 +48,20 @@ RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
 /// The flow's phases side by side: its whole step holds the assembly, which holds the motion of the mesh; what is left
 /// of the step is the solution.
 std::vector<base::Timers::Phase> flow_phases(std::vector<base::Timers::Phase> phases) {
-  double assembly = 0, motion = 0;
-  for (auto& phase : phases) {
-    if (phase.name == "mesh_motion") motion = phase.seconds;
-    if (phase.name == "flow.assemble") assembly = phase.seconds;
+  base::Timers::Phase assembly, motion;
+  for (const auto& phase : phases) {
+    if (phase.name == "mesh_motion") motion = phase;
+    if (phase.name == "flow.assemble") assembly = phase;
   }
+  const auto take_away = [](base::Timers::Phase& phase, const base::Timers::Phase& part) {
+    phase.seconds -= part.seconds;
+    phase.traffic -= part.traffic;
+  };
   for (auto& phase : phases) {
-    if (phase.name == "flow.assemble") phase.seconds -= motion;
+    if (phase.name == "flow.assemble") take_away(phase, motion);
     if (phase.name != "flow.newton") continue;
     phase.name = "flow.solve";
-    phase.seconds -= assembly;
+    take_away(phase, assembly);
   }
   return phases;
 }
@@ -118,10 +126,9 @@ class Run {
   }
 
   int go(long largest_steps) {
-    const long first = simulation_->clock().step;
     while (!simulation_->clock().done()) {
-      if (largest_steps > 0 && simulation_->clock().step - first >= largest_steps) return end("stopped", "--steps", 0);
-      const StepOutcome outcome = simulation_->step();
+      if (largest_steps > 0 && facts_.counted_steps >= largest_steps) return end("stopped", "--steps", 0);
+      const StepOutcome outcome = counted_step();
       if (!outcome.failure.empty()) return end("failed", outcome.failure, failed_code);
       const Clock& clock = simulation_->clock();
       {
@@ -135,6 +142,15 @@ class Run {
   }
 
  private:
+  StepOutcome counted_step() {
+    const base::Traffic before = base::traffic();
+    StepOutcome outcome = simulation_->step();
+    facts_.traffic += base::traffic();
+    facts_.traffic -= before;
+    if (outcome.failure.empty()) ++facts_.counted_steps;
+    return outcome;
+  }
+
   void checkpoint() {
     output_->flush(*simulation_);
     save_checkpoint(checkpoint_path(folder_), config_, *scene_, *simulation_, {wall_seconds()});
@@ -161,6 +177,7 @@ class Run {
       facts_.phases.insert(facts_.phases.begin(), phases.begin(), phases.end());
     }
     if (const ContactFollower* contact = simulation_->contact()) facts_.contact = figures_of(contact->report());
+    facts_.traffic = base::largest(comm_, facts_.traffic);
     facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());
     base::on_first_rank(comm_, [&] {
       Figures figures = evaluate_run(config_, folder_);
@@ -220,6 +237,7 @@ int spectrum(MPI_Comm comm, const Command& command) {
   base::on_first_rank(comm, [&] {
     const Figures figures = evaluate_run(config, command.target);
     print_sounds(log, figures.sounds);
+    print_comparisons(log, compare_sounds(figures.sounds));
     for (const auto& [name, value] : figures.values) log.info("  {:<28} {:>12.6g}", name, value);
   });
   return finished_code;

@@ -6,30 +6,11 @@
 #include "core/base/mpi.hpp"
 #include "core/io/gmsh_reader.hpp"
 #include "core/mesh/partition.hpp"
+#include "coupling/balance.hpp"
 
 namespace vocalis::coupling {
 
 namespace {
-
-std::vector<RegionKind> kinds_of_regions(const Case& config, const std::vector<std::string>& names) {
-  std::vector<RegionKind> kinds(names.size(), RegionKind::air);
-  for (const coupling::Region& region : config.regions) kinds[mesh::index_of(names, region.name)] = region.kind;
-  return kinds;
-}
-
-bool carries_flow(RegionKind kind) { return kind != RegionKind::air; }
-bool carries_sound(RegionKind kind) { return kind != RegionKind::solid; }
-
-/// One unit of work for each solver that a cell takes part in.
-std::vector<std::int32_t> work_of_cells(const mesh::WholeMesh& whole, const std::vector<RegionKind>& kinds, bool flow,
-                                        bool acoustic) {
-  std::vector<std::int32_t> work;
-  for (const std::int32_t region : whole.cell_region) {
-    if (flow) work.push_back(carries_flow(kinds[region]));
-    if (acoustic) work.push_back(carries_sound(kinds[region]));
-  }
-  return work;
-}
 
 std::unique_ptr<transfer::StrippedMesh> strip_by_kind(const Scene& scene, bool (*keeps)(RegionKind)) {
   std::vector<std::int32_t> keep(scene.parent.num_cells());
@@ -53,8 +34,8 @@ std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config) {
   std::vector<std::int32_t> cell_rank;
   if (base::rank(comm) == 0) {
     const auto kinds = kinds_of_regions(config, whole.region_names);
-    cell_rank = mesh::partition_cells(whole, base::size(comm), work_of_cells(whole, kinds, flow, acoustic),
-                                      static_cast<int>(flow) + static_cast<int>(acoustic));
+    const CellWork work = work_of_cells(whole, kinds, flow, acoustic);
+    cell_rank = mesh::partition_cells(whole, base::size(comm), work.units, work.solvers);
   }
   scene->parent = mesh::build_mesh(comm, mesh::scatter(comm, whole, cell_rank));
   scene->kind_of_region = kinds_of_regions(config, scene->parent.region_names);

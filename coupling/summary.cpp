@@ -28,6 +28,24 @@ Json expected_figures(const Case& config, const Figures& figures) {
   return result;
 }
 
+/// A step's traffic.
+Json traffic(const base::Traffic& of_all_steps, long steps) {
+  const auto of_step = [&](std::int64_t count) { return static_cast<double>(count) / static_cast<double>(steps); };
+  return {{"messages", of_step(of_all_steps.messages)},
+          {"bytes", of_step(of_all_steps.bytes)},
+          {"reductions", of_step(of_all_steps.reductions)},
+          {"reduction_bytes", of_step(of_all_steps.reduction_bytes)}};
+}
+
+/// By phase, and of the whole step; empty before the first step.
+Json communication(const RunFacts& facts) {
+  Json result = Json::object();
+  if (facts.counted_steps == 0) return result;
+  for (const auto& phase : facts.phases) result[phase.name] = traffic(phase.traffic, facts.counted_steps);
+  result["step"] = traffic(facts.traffic, facts.counted_steps);
+  return result;
+}
+
 std::string expectation(const Case& config, const std::string& name, double value) {
   const auto expected = config.expected.find(name);
   if (expected == config.expected.end()) return "";
@@ -54,7 +72,9 @@ void write_summary(const std::string& path, const Case& config, const RunFacts& 
                         {"wall_seconds", facts.wall_seconds},
                         {"cells", facts.cells},
                         {"unknowns", facts.unknowns},
+                        {"imbalance", facts.imbalance},
                         {"phases", phases},
+                        {"communication", communication(facts)},
                         {"contact", facts.contact},
                         {"peak_memory_bytes", facts.peak_memory_bytes},
                         {"vibration", figures.vibration},

@@ -23,7 +23,10 @@ struct RunFacts {
   double simulated_seconds = 0;
   double wall_seconds = 0;                              ///< of all parts of a run that was resumed
   std::map<std::string, std::int64_t> cells, unknowns;  ///< by mesh: parent, flow, acoustic
+  std::map<std::string, double> imbalance;              ///< by mesh: see Balance
   std::vector<base::Timers::Phase> phases;
+  base::Traffic traffic;   ///< of all steps, where the phases' counts are parts of it; largest over the ranks
+  long counted_steps = 0;  ///< in which phases and traffic were: of this part of a run that was resumed
   std::map<std::string, double> contact;  ///< what it did; empty where walls cannot touch
   double peak_memory_bytes = 0;           ///< sum over the ranks
 };

@@ -9,6 +9,7 @@ import page
 import phonation
 import pictures
 import spectrogram
+import voices
 from read_run import Run
 
 
@@ -49,6 +50,7 @@ def sections(run, folder):
                           lambda: curves.microphones(microphones, folder)) +
                   section("spectra", "Spectra; dashed: fundamental frequency and formants.", spectra,
                           lambda: curves.spectra(spectra, run.results(), folder)) +
+                  compared(run, folder) +
                   section("spectrogram", "Sound over time and frequency; window of 5 ms.", microphones,
                           lambda: spectrogram.spectrogram(microphones, folder)) +
                   "\n".join(page.sound(path) for path in run.sounds())))
@@ -58,6 +60,18 @@ def sections(run, folder):
     if run.missing:
         found.append(("Not shown", page.missing(run.missing)))
     return [(heading, content) for heading, content in found if content]
+
+
+def compared(run, folder):
+    """Several solvers over each other, where a run has them: the picture, then a table for each microphone."""
+    solvers = voices.names(run)
+    if len(solvers) < 2 or run.spectra is None or run.third_octaves is None:
+        return ""
+    path = attempt(run, "voices", lambda: voices.overlay(run.spectra, run.third_octaves, solvers, folder))
+    caption = f"Acoustic solvers over each other; differences from {solvers[0]} by thirds of an octave."
+    tables = [f"<p>Microphone {page.escape(microphone)}</p>\n" + page.table(rows, head, set(range(1, len(head))))
+              for microphone, (head, rows) in voices.rows(run.third_octaves, run.results(), solvers).items()]
+    return "\n".join(([page.picture(path, caption)] if path else []) + tables)
 
 
 def make_report(folder):

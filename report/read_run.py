@@ -52,6 +52,8 @@ class Run:
         self.history = self._try("history.csv", Table)
         self.microphones = self._try("microphones.csv", Table)
         self.spectra = self._try("spectra.csv", Table)
+        bands = self.folder / "third_octaves.csv"
+        self.third_octaves = self._try(bands.name, Table) if bands.exists() else None
         self.fields = self._try("fields.h5", read_fields)
         kymograms = sorted(self.folder.glob("kymogram_*.csv"))
         self.kymogram = self._try(kymograms[0].name, Table) if kymograms else None

@@ -7,15 +7,19 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/traffic.hpp"
+
 namespace vocalis::base {
 
-/// Wall seconds of named phases, added up. `const auto scope = timers.scope("flow.assemble");` times its own scope.
+/// Wall seconds of named phases and what they sent to other ranks, added up. `const auto scope =
+/// timers.scope("flow.assemble");` times its own scope.
 class Timers {
  public:
   struct Phase {
     std::string name;
     double seconds = 0;  ///< [s]
     long calls = 0;
+    Traffic traffic;
   };
 
   class Scope {
@@ -29,16 +33,17 @@ class Timers {
     Timers& timers_;
     std::string_view name_;
     std::chrono::steady_clock::time_point start_;
+    Traffic traffic_before_;
   };
 
   /// `name` must outlive the scope; it is a literal.
   [[nodiscard]] Scope scope(std::string_view name) { return {*this, name}; }
-  void add(std::string_view name, double seconds);
+  void add(std::string_view name, double seconds, const Traffic& traffic = {});
 
   /// The phases of this rank, in the order in which they first ended.
   const std::vector<Phase>& phases() const { return phases_; }
-  /// The phases of all ranks, each with the largest seconds and calls of any rank; ranks may have timed different
-  /// phases. In the order of the lowest rank that has them. Collective.
+  /// The phases of all ranks, each with the largest seconds, calls and counts of any rank; ranks may have timed
+  /// different phases. In the order of the lowest rank that has them. Collective.
   std::vector<Phase> largest_over_ranks(MPI_Comm comm) const;
 
  private:

@@ -18,6 +18,7 @@ import make_report  # noqa: E402
 import phonation  # noqa: E402
 import spectrogram  # noqa: E402
 import synthetic_run  # noqa: E402
+import voices  # noqa: E402
 from read_run import Run  # noqa: E402
 
 
@@ -87,6 +88,24 @@ class ReportTest(unittest.TestCase):
         run.summary["results"]["folds_f0_Hz"] = 100.0
         time = run.history.columns["time_s"][phonation.last_cycles(run, "folds")]
         self.assertAlmostEqual(time[-1] - time[0], 0.05, delta=1e-4)
+
+    def test_several_solvers_are_laid_over_each_other_with_their_differences(self):
+        synthetic_run.voices(self.folder)
+        page = self.report()
+        self.assertIn("voices", self.pictures())
+        self.assertNotIn("Not shown", page.text)
+        run = Run(self.folder)
+        (head, rows), = voices.rows(run.third_octaves, run.results(), voices.names(run)).values()
+        self.assertEqual(head, ["band", "rate [dB re 20 µPa]", "pcwe [dB above it]", "none [dB above it]"])
+        self.assertEqual(rows[0], ["all", "80.0", "+3.0", "–"])
+        self.assertEqual(rows[2], ["500 Hz", "65.0", "+3.0", "–"])
+        self.assertEqual(len(rows), 4)
+
+    def test_one_solver_is_laid_over_nothing(self):
+        synthetic_run.voices(self.folder)
+        run = Run(self.folder)
+        self.assertEqual(voices.by_microphone(run.spectra, "psd_dB", ["rate"]), {})
+        self.assertIsNone(voices.overlay(run.spectra, run.third_octaves, ["rate"], self.folder / "pictures"))
 
     def test_acoustics_alone_in_space_shows_a_cut_and_says_what_is_missing(self):
         synthetic_run.tract(self.folder)
