@@ -75,6 +75,7 @@ void add_phases(const std::vector<base::Timers::Phase>& more, std::vector<base::
     } else {
       same->seconds += phase.seconds;
       same->calls += phase.calls;
+      same->traffic += phase.traffic;
     }
   }
 }
@@ -157,6 +158,15 @@ class Run {
     simulation_->drop_caches();
   }
 
+  /// Of all parts, on this rank.
+  std::vector<base::Timers::Phase> phases() const {
+    std::vector<base::Timers::Phase> result;
+    if (const fsi::FsiSolver* flow = simulation_->flow()) result = flow_phases(flow->timers().phases());
+    add_phases(timers_.phases(), result);
+    for (const auto& voice : simulation_->voices()) add_phases(voice->timers().phases(), result);
+    return result;
+  }
+
   double wall_seconds() const { return facts_before_.wall_seconds + watch_.seconds(); }
 
   int end(const std::string& status, const std::string& reason, int code) {
@@ -169,13 +179,7 @@ class Run {
     facts_.rejected_steps = clock.rejected;
     facts_.simulated_seconds = clock.time;
     facts_.wall_seconds = wall_seconds();
-    facts_.phases = timers_.largest_over_ranks(comm_);
-    for (const auto& voice : simulation_->voices())
-      add_phases(voice->timers().largest_over_ranks(comm_), facts_.phases);
-    if (const fsi::FsiSolver* flow = simulation_->flow()) {
-      const auto phases = flow_phases(flow->timers().largest_over_ranks(comm_));
-      facts_.phases.insert(facts_.phases.begin(), phases.begin(), phases.end());
-    }
+    facts_.phases = base::largest_over_ranks(comm_, phases());
     if (const ContactFollower* contact = simulation_->contact()) facts_.contact = figures_of(contact->report());
     facts_.traffic = base::largest(comm_, facts_.traffic);
     facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());

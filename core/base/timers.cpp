@@ -34,11 +34,11 @@ void Timers::add(std::string_view name, double seconds, const Traffic& traffic) 
   phase.traffic += traffic;
 }
 
-std::vector<Timers::Phase> Timers::largest_over_ranks(MPI_Comm comm) const {
+std::vector<Timers::Phase> largest_over_ranks(MPI_Comm comm, const std::vector<Timers::Phase>& phases) {
   std::vector<char> names;
   std::vector<double> seconds;
   std::vector<std::int64_t> counts;  // of each phase: calls, then its traffic
-  for (const Phase& phase : phases_) {
+  for (const Timers::Phase& phase : phases) {
     names.insert(names.end(), phase.name.begin(), phase.name.end());
     names.push_back('\n');
     seconds.push_back(phase.seconds);
@@ -49,11 +49,11 @@ std::vector<Timers::Phase> Timers::largest_over_ranks(MPI_Comm comm) const {
   const std::vector<double> all_seconds = concatenate_all(comm, seconds);
   const std::vector<std::int64_t> all_counts = concatenate_all(comm, counts);
 
-  std::vector<Phase> result;
+  std::vector<Timers::Phase> result;
   auto start = all_names.begin();
   for (std::size_t i = 0; i < all_seconds.size(); ++i) {
     const auto end = std::find(start, all_names.end(), '\n');
-    Phase& phase = find_or_add(result, std::string(start, end));
+    Timers::Phase& phase = find_or_add(result, std::string(start, end));
     phase.seconds = std::max(phase.seconds, all_seconds[i]);
     const std::int64_t* count = all_counts.data() + 5 * i;
     phase.calls = std::max(phase.calls, static_cast<long>(count[0]));

@@ -42,12 +42,13 @@ class Timers {
 
   /// The phases of this rank, in the order in which they first ended.
   const std::vector<Phase>& phases() const { return phases_; }
-  /// The phases of all ranks, each with the largest seconds, calls and counts of any rank; ranks may have timed
-  /// different phases. In the order of the lowest rank that has them. Collective.
-  std::vector<Phase> largest_over_ranks(MPI_Comm comm) const;
 
  private:
   std::vector<Phase> phases_;
 };
+
+/// The phases of all ranks, each with the largest seconds, calls and counts of any rank; ranks may have timed different
+/// phases. In the order of the lowest rank that has them. Collective.
+std::vector<Timers::Phase> largest_over_ranks(MPI_Comm comm, const std::vector<Timers::Phase>& phases);
 
 }  // namespace vocalis::base
