@@ -1,5 +1,6 @@
 // Counts what is sent by MPI's profiling interface: a program may define MPI's functions itself and call the true ones
 // by the names PMPI_... (MPI 4.0, chapter 15). PETSc's own counters know neither its solvers' messages nor ours.
+// Here are the calls that Vocalis, PETSc and hypre make.
 #include "core/base/traffic.hpp"
 
 #include <algorithm>
@@ -53,11 +54,11 @@ void count_reduction(MPI_Comm comm, std::int64_t bytes) {
   sent.reduction_bytes += bytes;
 }
 
-/// With data of its own for each rank.
+/// With data of its own for each rank; null: nothing.
 void count_reduction(MPI_Comm comm, const int* counts, MPI_Datatype type) {
   std::int64_t sum = 0;
-  for (int rank = 0; rank < size_of(comm); ++rank) sum += counts[rank];
-  count_reduction(comm, sum * bytes_of(1, type));
+  for (int rank = 0; counts && rank < size_of(comm); ++rank) sum += counts[rank];
+  count_reduction(comm, counts ? sum * bytes_of(1, type) : 0);
 }
 
 void count_start(MPI_Request request) {
@@ -142,18 +143,6 @@ int MPI_Send_init(const void* data, int count, MPI_Datatype type, int to, int ta
   return code;
 }
 
-int MPI_Rsend_init(const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm,
-                   MPI_Request* request) {
-  const int code = PMPI_Rsend_init(data, count, type, to, tag, comm, request);
-  remember(code, count, type, to, *request);
-  return code;
-}
-
-int MPI_Start(MPI_Request* request) {
-  count_start(*request);
-  return PMPI_Start(request);
-}
-
 int MPI_Startall(int count, MPI_Request* requests) {
   for (int i = 0; i < count; ++i) count_start(requests[i]);
   return PMPI_Startall(count, requests);
@@ -208,10 +197,22 @@ int MPI_Gather(const void* data, int count, MPI_Datatype type, void* result, int
   return PMPI_Gather(data, count, type, result, result_count, result_type, root, comm);
 }
 
+int MPI_Igather(const void* data, int count, MPI_Datatype type, void* result, int result_count,
+                MPI_Datatype result_type, int root, MPI_Comm comm, MPI_Request* request) {
+  count_reduction(comm, data == MPI_IN_PLACE ? 0 : bytes_of(count, type));
+  return PMPI_Igather(data, count, type, result, result_count, result_type, root, comm, request);
+}
+
 int MPI_Gatherv(const void* data, int count, MPI_Datatype type, void* result, const int* counts, const int* starts,
                 MPI_Datatype result_type, int root, MPI_Comm comm) {
   count_reduction(comm, data == MPI_IN_PLACE ? 0 : bytes_of(count, type));
   return PMPI_Gatherv(data, count, type, result, counts, starts, result_type, root, comm);
+}
+
+int MPI_Igatherv(const void* data, int count, MPI_Datatype type, void* result, const int* counts, const int* starts,
+                 MPI_Datatype result_type, int root, MPI_Comm comm, MPI_Request* request) {
+  count_reduction(comm, data == MPI_IN_PLACE ? 0 : bytes_of(count, type));
+  return PMPI_Igatherv(data, count, type, result, counts, starts, result_type, root, comm, request);
 }
 
 int MPI_Scatter(const void* data, int count, MPI_Datatype type, void* result, int result_count,
@@ -220,14 +221,22 @@ int MPI_Scatter(const void* data, int count, MPI_Datatype type, void* result, in
   return PMPI_Scatter(data, count, type, result, result_count, result_type, root, comm);
 }
 
+int MPI_Iscatter(const void* data, int count, MPI_Datatype type, void* result, int result_count,
+                 MPI_Datatype result_type, int root, MPI_Comm comm, MPI_Request* request) {
+  count_reduction(comm, is_root(root, comm) ? bytes_of(count, type) * size_of(comm) : 0);
+  return PMPI_Iscatter(data, count, type, result, result_count, result_type, root, comm, request);
+}
+
 int MPI_Scatterv(const void* data, const int* counts, const int* starts, MPI_Datatype type, void* result,
                  int result_count, MPI_Datatype result_type, int root, MPI_Comm comm) {
-  if (is_root(root, comm)) {
-    count_reduction(comm, counts, type);
-  } else {
-    count_reduction(comm, 0);
-  }
+  count_reduction(comm, is_root(root, comm) ? counts : nullptr, type);
   return PMPI_Scatterv(data, counts, starts, type, result, result_count, result_type, root, comm);
+}
+
+int MPI_Iscatterv(const void* data, const int* counts, const int* starts, MPI_Datatype type, void* result,
+                  int result_count, MPI_Datatype result_type, int root, MPI_Comm comm, MPI_Request* request) {
+  count_reduction(comm, is_root(root, comm) ? counts : nullptr, type);
+  return PMPI_Iscatterv(data, counts, starts, type, result, result_count, result_type, root, comm, request);
 }
 
 int MPI_Allgather(const void* data, int count, MPI_Datatype type, void* result, int result_count,
@@ -242,6 +251,12 @@ int MPI_Allgatherv(const void* data, int count, MPI_Datatype type, void* result,
   return PMPI_Allgatherv(data, count, type, result, counts, starts, result_type, comm);
 }
 
+int MPI_Iallgatherv(const void* data, int count, MPI_Datatype type, void* result, const int* counts, const int* starts,
+                    MPI_Datatype result_type, MPI_Comm comm, MPI_Request* request) {
+  count_reduction(comm, data == MPI_IN_PLACE ? 0 : bytes_of(count, type));
+  return PMPI_Iallgatherv(data, count, type, result, counts, starts, result_type, comm, request);
+}
+
 int MPI_Alltoall(const void* data, int count, MPI_Datatype type, void* result, int result_count,
                  MPI_Datatype result_type, MPI_Comm comm) {
   count_reduction(comm, data == MPI_IN_PLACE ? 0 : bytes_of(count, type) * size_of(comm));
@@ -250,11 +265,7 @@ int MPI_Alltoall(const void* data, int count, MPI_Datatype type, void* result, i
 
 int MPI_Alltoallv(const void* data, const int* counts, const int* starts, MPI_Datatype type, void* result,
                   const int* result_counts, const int* result_starts, MPI_Datatype result_type, MPI_Comm comm) {
-  if (data == MPI_IN_PLACE) {
-    count_reduction(comm, 0);
-  } else {
-    count_reduction(comm, counts, type);
-  }
+  count_reduction(comm, data == MPI_IN_PLACE ? nullptr : counts, type);
   return PMPI_Alltoallv(data, counts, starts, type, result, result_counts, result_starts, result_type, comm);
 }
 

@@ -104,3 +104,23 @@ TEST_CASE("a phase holds what was sent in it, and the report the most of any ran
   CHECK(phases[0].traffic.bytes == 4 * one);
   CHECK(phases[0].traffic.reductions == one);
 }
+
+TEST_CASE("a vector that PETSc brings to one rank and back is counted") {
+  const bool several = size(MPI_COMM_WORLD) > 1;
+  Vec vector = nullptr, whole = nullptr;
+  VecScatter scatter = nullptr;
+  check(VecCreateMPI(MPI_COMM_WORLD, 5, PETSC_DETERMINE, &vector));
+  check(VecScatterCreateToZero(vector, &scatter, &whole));
+  const Traffic sent = of([&] {
+    check(VecScatterBegin(scatter, vector, whole, INSERT_VALUES, SCATTER_FORWARD));
+    check(VecScatterEnd(scatter, vector, whole, INSERT_VALUES, SCATTER_FORWARD));
+    check(VecScatterBegin(scatter, whole, vector, INSERT_VALUES, SCATTER_REVERSE));
+    check(VecScatterEnd(scatter, whole, vector, INSERT_VALUES, SCATTER_REVERSE));
+  });
+  // As messages or as a gather: that is PETSc's affair.
+  CHECK((sent.messages + sent.reductions > 0) == several);
+  CHECK((sent.bytes + sent.reduction_bytes >= 40) == several);
+  check(VecScatterDestroy(&scatter));
+  check(VecDestroy(&whole));
+  check(VecDestroy(&vector));
+}
