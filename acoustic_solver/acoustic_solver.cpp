@@ -100,10 +100,36 @@ double AcousticSolver::energy() const {
   return discretisation_->wave.energy(state_.p, state_.psi) + discretisation_->walls.energy(state_);
 }
 
-IntegratorChoice AcousticSolver::choice(double dt, bool moves) const {
-  const bool is_open = settings_.integrator == Integrator::automatic && !moves;
+IntegratorChoice AcousticSolver::choice(double dt, bool moves, bool flows) const {
+  const bool is_open = settings_.integrator == Integrator::automatic && !moves && !flows;
   const double stable_step = is_open ? discretisation_->bound() : 0;
-  return choose_integrator(settings_, discretisation_->mesh->dimension, moves, dt, stable_step);
+  return choose_integrator(settings_, discretisation_->mesh->dimension, {moves, flows}, dt, stable_step);
+}
+
+void AcousticSolver::settle_released() {
+  const WaveOperator& wave = discretisation_->wave;
+  for (const std::int32_t v : wave.released()) state_.p[v] = 0;
+  if (wave.has_inlets()) {
+    std::vector<double> rates;
+    wave.potential_convection(state_.psi, state_.p, rates,
+                              discretisation_->walls.velocities(settings_.step, state_.p, state_));
+    for (const std::int32_t v : wave.inlets()) state_.p[v] = -settings_.density * rates[v];
+  }
+  space().halo.copy_to_ghosts(state_.p);
+}
+
+double AcousticSolver::stable_step(bool moves, const std::function<void(double)>& place_at) {
+  auto& here = *discretisation_;
+  double result = std::numeric_limits<double>::infinity();
+  if (!moves) result = here.leap_frog.stable_step(false);
+  for (const double at : {0.0, 1.0}) {
+    if (!moves) break;
+    place_at(at);
+    result = std::min(result, here.leap_frog.stable_step(true));
+  }
+  // Downstream sound goes faster by the flow.
+  const double flow_speed = base::largest(here.mesh->comm, here.wave.largest_flow_speed());
+  return result / (1 + flow_speed / settings_.speed_of_sound);
 }
 
 bool AcousticSolver::place(double dt, const Motion& motion) {
@@ -120,8 +146,13 @@ bool AcousticSolver::place(double dt, const Motion& motion) {
     const auto changed = static_cast<std::int32_t>(wave.set_geometry(still));
     if (base::largest(mesh.comm, changed) > 0) discretisation_->drop();
   }
-  wave.set_velocity(velocity);
+  wave.set_velocity(velocity, motion.convection);
   const Layers& layers = discretisation_->layers;
+  if (wave.flows() && layers.exist() && !layers.stand_still(motion.convection)) {
+    throw base::UserError(fmt::format("the medium in the layers of acoustic solver '{}' is at rest", settings_.name),
+                          "it flows there",
+                          "make the layers thinner or the air wider, or let the flow end in front of them");
+  }
   if (moves && layers.exist() && !layers.stand_still(velocity)) {
     throw base::UserError(fmt::format("the mesh in the layers of acoustic solver '{}' stands still", settings_.name),
                           "it moves there", "make the layers thinner or the air wider");
@@ -142,26 +173,21 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
     here.wave.set_geometry(coordinates);
   };
   AdvanceReport report;
-  double stable_step = std::numeric_limits<double>::infinity();
-  if (moves && settings_.integrator == Integrator::leap_frog) {
-    for (const double at : {0.0, 1.0}) {
-      place_at(at);
-      stable_step = std::min(stable_step, here.leap_frog.stable_step(true));
-    }
-  }
   const int count = count_sub_steps(dt, settings_.step);
   const double start = state_.time;
-  const bool is_explicit = choice(dt, moves).integrator == Integrator::leap_frog;
+  const bool flows = here.wave.flows();
+  settle_released();
+  const bool is_explicit = choice(dt, moves, flows).integrator == Integrator::leap_frog;
   int parts = 1;
   if (is_explicit) {
-    if (!moves) stable_step = here.leap_frog.stable_step(false);
-    parts = count_sub_steps(dt / count, kPartOfStableStep * stable_step);
+    const double longest = stable_step(moves, place_at);
+    parts = count_sub_steps(dt / count, kPartOfStableStep * longest);
     if (parts == 0) {
       report.converged = false;
       report.reason = fmt::format(
           "the explicit integrator's stable step fell to {:.1e} s: a cell of the moving mesh "
           "closes",
-          stable_step);
+          longest);
       return report;
     }
   }
@@ -169,11 +195,12 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   SubStep step;
   step.dt = dt / count;
   step.moves = moves;
+  step.convects = moves || flows;
   step.flux_at = source.flux;
   for (int s = 0; s < count; ++s) {
     step.begin = start + s * step.dt;
     const double at_theta = (s + theta) / count;
-    step.place = [&](double part) { place_at((s + part) / count); };
+    if (moves) step.place = [&](double part) { place_at((s + part) / count); };
     if (source.begin) {
       step.load.assign(here.mesh->num_vertices(), 0.0);
       step.load_change.assign(here.mesh->num_vertices(), 0.0);

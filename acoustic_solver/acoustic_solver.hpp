@@ -16,9 +16,10 @@
 namespace vocalis::acoustic {
 
 /// How the vertices move during one `advance`: linearly in time, from begin to end. Both empty: the mesh stands still
-/// at its own coordinates. (vertices, dimension) [m], ghosts current.
+/// at its own coordinates. (vertices, dimension) [m], ghosts current. And how the medium flows through it.
 struct Motion {
-  std::span<const double> begin, end;
+  std::span<const double> begin = {}, end = {};
+  std::span<const double> convection = {};  ///< U (vertices, dimension) [m/s], ghosts current; empty: at rest
 };
 
 /// The right-hand side (Q, q) + <g, q>.
@@ -35,10 +36,11 @@ struct Adoption {
 
 /// Sound on a mesh that may move: pressure p and velocity potential ψ (u = -∇ψ), both P1,
 ///
-///   (1 / (ρ c²)) (ṗ - β·∇p, q) + (∇ψ, ∇q) + <u·n, q> = (Q, q) + <g, q>,     ψ̇ - β·∇ψ = p / ρ at each vertex,
+///   (1 / (ρ c²)) (ṗ - v·∇p, q) + (∇ψ, ∇q) + <u·n, q> = (Q, q) + <g, q>,     ψ̇ - v·∇ψ = p / ρ at each vertex,
 ///
-/// where the rates are at a fixed vertex, which moves with β. Time: an implicit or an explicit integrator, with
-/// geometry and β at the middle of the sub-step. Equations, boundary conditions and accuracy: docs/theory.md.
+/// where the rates are at a fixed vertex, which moves with β, and v = β - U with the velocity U of the medium. Time: an
+/// implicit or an explicit integrator, with geometry and β at the middle of the sub-step. Equations, boundary
+/// conditions and accuracy: docs/theory.md.
 class AcousticSolver {
  public:
   /// Silence on `mesh`, which must outlive the solver or be replaced by `adopt`. PETSc's options begin with
@@ -53,9 +55,9 @@ class AcousticSolver {
   AdvanceReport advance(double dt, const Motion& motion = {}, const Source& source = {},
                         const std::function<void(double)>& on_substep = {});
 
-  /// The integrator for advancing by dt [s] from the present geometry, if the mesh then moves or stands still. The
-  /// choice is made anew at each `advance`. Collective.
-  IntegratorChoice choice(double dt, bool moves) const;
+  /// The integrator for advancing by dt [s] from the present geometry, if the mesh then moves or stands still, and the
+  /// medium flows or is at rest. The choice is made anew at each `advance`. Collective.
+  IntegratorChoice choice(double dt, bool moves, bool flows = false) const;
 
   const State& state() const { return state_; }
   /// Goes on from another state of the same mesh, a checkpoint's; forgets what `drop_caches` forgets.
@@ -77,8 +79,12 @@ class AcousticSolver {
 
  private:
   struct Discretisation;
-  /// Sets velocity, and where nothing moves the geometry; returns whether anything moves.
+  /// Sets the velocities, and where the mesh stands still the geometry; returns whether it moves.
   bool place(double dt, const Motion& motion);
+  /// Sets p of released vertices to what the flow makes it, or 0.
+  void settle_released();
+  /// The explicit integrator's [s], on the way of the motion.
+  double stable_step(bool moves, const std::function<void(double)>& place_at);
 
   AcousticSettings settings_;
   std::unique_ptr<Discretisation> discretisation_;  ///< derived from the mesh and the settings

@@ -38,6 +38,7 @@ BoundaryFacet condition(const AcousticSettings& settings, int dimension, const A
       facet.on_pressure = boundary.admittance * plane_wave;
       break;
     case AcousticBoundaryKind::open:
+      facet.is_open = true;
       facet.on_pressure = plane_wave;
       if (boundary.radius > 0) facet.on_potential = 1 / (boundary.radius * (dimension == 2 ? 2 : 1));
       break;

@@ -17,6 +17,7 @@ struct BoundaryFacet {
   std::int32_t wall = -1;    ///< index of the boundary of the settings that yields here; -1: none
   bool is_flux = false;      ///< the source g(t) enters here
   bool is_released = false;  ///< p = 0
+  bool is_open = false;      ///< sound leaves, plane or spherical
 
   /// Rigid, admitting or yielding: the wall alone says what u·n is.
   bool is_wall() const { return on_potential == 0 && !is_flux && !is_released; }

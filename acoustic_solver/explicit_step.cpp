@@ -21,7 +21,7 @@ double ExplicitStep::stable_step(bool moves) {
 }
 
 bool ExplicitStep::advance(const SubStep& step, int parts, State& state, AdvanceReport& report) {
-  const bool is_finite = step.moves ? moving_.advance(step, parts, state) : still().advance(step, parts, state);
+  const bool is_finite = step.convects ? moving_.advance(step, parts, state) : still().advance(step, parts, state);
   if (!is_finite) {
     report.converged = false;
     report.reason = "the explicit step is unstable, or its source is not finite";

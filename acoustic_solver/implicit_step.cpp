@@ -12,8 +12,7 @@ namespace {
 
 constexpr std::size_t kEarlierPressures = 3;
 constexpr int kLargestPasses = 30;
-// A pass leaves an error |β| dt / h times as large as it finds: a change so much above the solver's tolerance is
-// enough.
+// A pass leaves a small part of the error that it finds: a change so much above the solver's tolerance is enough.
 constexpr double kPassTolerance = 100;
 
 /// The increment of p expected from the increments of the sub-steps before: the polynomial through them.
@@ -53,52 +52,22 @@ double ImplicitStep::norm(const std::vector<double>& owned_values) const {
   return std::sqrt(base::sum(mesh_->comm, square));
 }
 
-bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& report) {
-  // Unknown: δ = p_θ - p at the θ-point, where ψ_θ = ψ + θ dt (p_θ / ρ + β·∇ψ_θ). With it the mass of p drops out:
-  //   (mass / (θ dt) + admittance + b stiffness) δ = load - admittance p - stiffness (ψ + b p) + terms with β.
-  const double a = 1 / (theta_ * step.dt), b = theta_ * step.dt / density_;
-  if (step.moves || !system_.is_assembled(a, b)) system_.assemble(*wave_, *layers_, a, b);
-  const std::size_t num_vertices = state.p.size();
-  std::vector<double> fixed(num_vertices, 0.0), potential(num_vertices);
-  for (std::size_t v = 0; v < num_vertices; ++v) potential[v] = state.psi[v] + b * state.p[v];
-  wave_->add_flux(step.flux, fixed);
-  wave_->add_admittance(-1, state.p, fixed);
-  wave_->add_stiffness(-1, potential, fixed);
-  layers_->add_forces(theta_ * step.dt, state.p, potential, state, fixed);
-  walls_->add_forces(theta_ * step.dt, state.p, state, fixed);
-  space_->halo.add_to_owners(fixed);
-  for (std::size_t v = 0; v < step.load.size(); ++v) fixed[v] += step.load[v];
-
-  std::vector<double> increment = extrapolated_increment(state);
-  for (double& value : increment) value *= theta_;
-  std::vector<double> right_hand_side = fixed, convection(num_vertices, 0.0), difference, middle_pressure, scaled;
-  const auto update_convection = [&] {
-    middle_pressure = state.p;
-    for (std::size_t v = 0; v < num_vertices; ++v) {
-      middle_pressure[v] += increment[v];
-      potential[v] = state.psi[v] + b * middle_pressure[v] + theta_ * step.dt * convection[v];
-    }
-    const auto wall_velocities = walls_->velocities(theta_ * step.dt, middle_pressure, state);
-    wave_->potential_convection(potential, middle_pressure, convection, wall_velocities);
-  };
-  if (step.moves) update_convection();
+bool ImplicitStep::solve_step(const SubStep& step, const std::vector<double>& fixed, ImplicitConvection& convection,
+                              std::vector<double>& increment, AdvanceReport& report) {
+  std::vector<double> right_hand_side = fixed, difference;
+  if (step.convects) convection.update(increment);
   for (int pass = 0;; ++pass) {
-    if (step.moves) {
-      scaled = convection;
-      for (double& value : scaled) value *= theta_ * step.dt;
-      std::vector<double> terms(num_vertices, 0.0);
-      wave_->add_convection(middle_pressure, terms);
-      wave_->add_stiffness(-1, scaled, terms);
-      space_->halo.add_to_owners(terms);
+    if (step.convects) {
       difference = right_hand_side;
-      for (std::size_t v = 0; v < num_vertices; ++v) right_hand_side[v] = fixed[v] + terms[v];
-      for (std::size_t v = 0; v < num_vertices; ++v) difference[v] -= right_hand_side[v];
+      right_hand_side = fixed;
+      convection.add_terms(right_hand_side);
+      for (std::size_t v = 0; v < difference.size(); ++v) difference[v] -= right_hand_side[v];
       for (const std::int32_t v : wave_->released()) difference[v] = 0;
       const double tolerance = kPassTolerance * tolerance_;
-      if (pass > 0 && norm(difference) <= tolerance * norm(right_hand_side)) break;
+      if (pass > 0 && norm(difference) <= tolerance * norm(right_hand_side)) return true;
       if (pass == kLargestPasses) {
         report.converged = false;
-        report.reason = fmt::format("the terms of the mesh's motion did not converge in {} passes", kLargestPasses);
+        report.reason = fmt::format("the terms of motion and flow did not converge in {} passes", kLargestPasses);
         return false;
       }
     }
@@ -111,26 +80,44 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
       return false;
     }
     space_->halo.copy_to_ghosts(increment);
-    if (!step.moves) break;
-    update_convection();
+    if (!step.convects) return true;
+    convection.update(increment);
   }
+}
+
+bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& report) {
+  // Unknown: δ = p_θ - p at the θ-point, where ψ_θ = ψ + θ dt (p_θ / ρ + v·∇ψ_θ). With it the mass of p drops out:
+  //   (mass / (θ dt) + admittance + b stiffness) δ = load - admittance p - stiffness (ψ + b p) + terms with v.
+  const double beta = theta_ * step.dt, a = 1 / beta, b = beta / density_;
+  if (step.moves || !system_.is_assembled(a, b)) system_.assemble(*wave_, *layers_, a, b);
+  const std::size_t num_vertices = state.p.size();
+  ImplicitConvection convection(*space_, *wave_, *walls_, density_, beta, state);
+  std::vector<double> increment = extrapolated_increment(state);
+  for (double& value : increment) value *= theta_;
+  for (const std::int32_t v : wave_->inlets()) increment[v] = 0;
+
+  const std::vector<double>& pressure = convection.base();
+  std::vector<double> fixed(num_vertices, 0.0), potential(num_vertices);
+  for (std::size_t v = 0; v < num_vertices; ++v) potential[v] = state.psi[v] + b * pressure[v];
+  wave_->add_flux(step.flux, fixed);
+  wave_->add_admittance(-1, pressure, fixed);
+  wave_->add_stiffness(-1, potential, fixed);
+  layers_->add_forces(beta, pressure, potential, state, fixed);
+  walls_->add_forces(beta, pressure, state, fixed);
+  space_->halo.add_to_owners(fixed);
+  for (std::size_t v = 0; v < step.load.size(); ++v) fixed[v] += step.load[v];
+  if (!solve_step(step, fixed, convection, increment, report)) return false;
 
   if (layers_->exist() || walls_->exist()) {
-    middle_pressure = state.p;
-    for (std::size_t v = 0; v < num_vertices; ++v) {
-      middle_pressure[v] += increment[v];
-      potential[v] = state.psi[v] + b * middle_pressure[v] + theta_ * step.dt * convection[v];
-    }
+    std::vector<double> middle_pressure;
+    convection.middle(increment, middle_pressure, potential);
     layers_->advance(step.dt, theta_, middle_pressure, potential, state);
     walls_->advance(step.dt, theta_, middle_pressure, state);
   }
   auto& earlier = state.earlier;
   if (earlier.size() == kEarlierPressures) earlier.pop_back();
   earlier.insert(earlier.begin(), state.p);
-  for (std::size_t v = 0; v < num_vertices; ++v) {
-    state.psi[v] += step.dt * ((state.p[v] + increment[v]) / density_ + convection[v]);
-    state.p[v] += increment[v] / theta_;
-  }
+  convection.finish(increment, step.dt, theta_, state);
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "acoustic_solver/implicit_convection.hpp"
 #include "acoustic_solver/layers.hpp"
 #include "acoustic_solver/pressure_system.hpp"
 #include "acoustic_solver/state.hpp"
@@ -11,7 +12,7 @@
 namespace vocalis::acoustic {
 
 /// The θ-scheme for pressure and potential, both at the same times, with ψ eliminated: one symmetric positive definite
-/// system a sub-step, whatever its length. The terms with β are iterated outside of it. docs/theory.md, "Time of
+/// system a sub-step, whatever its length. The terms with β and U are iterated outside of it. docs/theory.md, "Time of
 /// sound".
 class ImplicitStep {
  public:
@@ -29,6 +30,9 @@ class ImplicitStep {
   void drop() { system_.drop(); }
 
  private:
+  /// Finds the increment of p to the θ-point, from a guess of it.
+  bool solve_step(const SubStep& step, const std::vector<double>& fixed, ImplicitConvection& convection,
+                  std::vector<double>& increment, AdvanceReport& report);
   double norm(const std::vector<double>& owned_values) const;
 
   const mesh::Mesh* mesh_;

@@ -29,7 +29,7 @@ int count_sub_steps(double dt, double longest) {
   return count < kMostSubSteps ? std::max(1, static_cast<int>(count)) : 0;
 }
 
-IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimension, bool moves, double dt,
+IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimension, Convection convection, double dt,
                                    double stable_step) {
   if (settings.integrator != Integrator::automatic) return {settings.integrator, "as the case says"};
   if (settings.velocity_elements == VelocityElements::p1) return {Integrator::implicit, "velocities are in P1"};
@@ -37,7 +37,8 @@ IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimensi
   if (!settings.layers.empty()) return {Integrator::implicit, "it knows layers"};
   if (has_yielding_walls(settings)) return {Integrator::implicit, "it knows walls that yield"};
   // Loops over cells, several times for the terms with β, cost a multiple of sweeps over assembled rows.
-  if (moves) return {Integrator::implicit, "the mesh moves"};
+  if (convection.mesh_moves) return {Integrator::implicit, "the mesh moves"};
+  if (convection.medium_flows) return {Integrator::implicit, "the medium flows"};
   const int steps = count_sub_steps(dt, settings.step);
   const int parts = count_sub_steps(dt / steps, kPartOfStableStep * stable_step);
   if (parts == 0) return {Integrator::implicit, "a cell has closed"};

@@ -12,6 +12,11 @@ struct IntegratorChoice {
   std::string reason;
 };
 
+/// What carries sound past the vertices.
+struct Convection {
+  bool mesh_moves = false, medium_flows = false;
+};
+
 /// "explicit: ..."
 std::string words(const IntegratorChoice& choice);
 
@@ -25,7 +30,7 @@ constexpr double kPartOfStableStep = 0.9;
 /// measured in the run, so that a run can be repeated to the last bit.
 ///
 /// stable_step  longest stable step of the explicit integrator [s], or a bound of it
-IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimension, bool moves, double dt,
+IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimension, Convection convection, double dt,
                                    double stable_step);
 
 }  // namespace vocalis::acoustic

@@ -39,7 +39,7 @@ double cell_eigenvalue(const WaveOperator& wave, std::int32_t cell, int dimensio
 }  // namespace
 
 LumpedTerms lumped_terms(const mesh::Mesh& mesh, const fem::Space& space, const WaveOperator& wave) {
-  constexpr int kColumns = 5;
+  constexpr int kColumns = 6;
   const int d = mesh.dimension;
   std::vector<double> sums(static_cast<std::size_t>(mesh.num_vertices()) * kColumns, 0.0);
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
@@ -60,13 +60,14 @@ LumpedTerms lumped_terms(const mesh::Mesh& mesh, const fem::Space& space, const 
       sum[2] += facet.on_pressure * share;
       sum[3] += facet.on_potential * share;
       sum[4] += facet.is_flux ? share : 0;
+      sum[5] += facet.is_open ? facet.on_pressure * share : 0;
     }
   }
   space.halo.add_to_owners(sums, kColumns);
   space.halo.copy_to_ghosts(sums, kColumns);
   LumpedTerms terms;
-  std::vector<double>* columns[kColumns] = {&terms.mass, &terms.stiffness, &terms.admittance, &terms.potential,
-                                            &terms.flux};
+  std::vector<double>* columns[kColumns] = {&terms.mass,      &terms.stiffness, &terms.admittance,
+                                            &terms.potential, &terms.flux,      &terms.open_admittance};
   for (int c = 0; c < kColumns; ++c) {
     columns[c]->resize(mesh.num_vertices());
     for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {

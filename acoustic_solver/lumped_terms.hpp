@@ -9,11 +9,12 @@ namespace vocalis::acoustic {
 /// Diagonals that an explicit step needs, one number a local vertex, ghosts current: row sums of the integrals of
 /// `WaveOperator`.
 struct LumpedTerms {
-  std::vector<double> mass;        ///< (1 / (ρ c²)) (1, q)
-  std::vector<double> stiffness;   ///< (∇q, ∇q), the diagonal of the stiffness, boundary terms apart
-  std::vector<double> admittance;  ///< <µ / (ρ c), q>
-  std::vector<double> potential;   ///< <1 / R, q>_open
-  std::vector<double> flux;        ///< <1, q> over the facets where the source enters
+  std::vector<double> mass;             ///< (1 / (ρ c²)) (1, q)
+  std::vector<double> stiffness;        ///< (∇q, ∇q), the diagonal of the stiffness, boundary terms apart
+  std::vector<double> admittance;       ///< <µ / (ρ c), q>
+  std::vector<double> open_admittance;  ///< of it, what open boundaries have
+  std::vector<double> potential;        ///< <1 / R, q>_open
+  std::vector<double> flux;             ///< <1, q> over the facets where the source enters
 };
 
 /// On the geometry that `wave` holds. Collective.

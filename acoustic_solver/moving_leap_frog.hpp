@@ -22,6 +22,10 @@ class MovingLeapFrog {
   void sub_step(double dt, std::span<const double> load, double flux, State& state);
   /// The change of p that the sums on its right-hand side make, at the owners and their ghosts.
   std::vector<double> increment(std::vector<double> sums, const LumpedTerms& terms, double dt) const;
+  /// ψ at the middle of a sub-step, and its convection before the last pass.
+  std::vector<double> half_way(double dt, const State& state, std::vector<double>& convection) const;
+  /// Where the medium flows: the corrected mass times p, as `WaveOperator::add_convection` wants it. Collective.
+  std::vector<double> momentum(const std::vector<double>& pressure, const LumpedTerms& terms, double dt) const;
 
   const mesh::Mesh* mesh_;
   const fem::Space* space_;

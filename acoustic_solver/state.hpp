@@ -23,19 +23,20 @@ struct SubStep {
   double begin = 0;          ///< [s]
   double dt = 0;             ///< [s]
   bool moves = false;        ///< some vertex moves during it
+  bool convects = false;     ///< so does it, or the medium flows
   std::vector<double> load;  ///< (Q, q) where the integrator wants it, at the owners [m^3/s; m^2/s in the plane];
                              ///< empty: no source
   std::vector<double> load_change;        ///< of it, from begin to end; empty: no source
   double flux = 0;                        ///< g where the integrator wants it [m/s]
   std::function<double(double)> flux_at;  ///< g at a time [m/s]; empty: none
-  std::function<void(double)> place;      ///< moves the geometry to a part of the sub-step, 0 to 1
+  std::function<void(double)> place;      ///< moves the geometry to a part of the sub-step, 0 to 1; empty: it stands
 };
 
 struct AdvanceReport {
   bool converged = true;      ///< else the state is that of the last sub-step that converged
   int sub_steps = 0;          ///< that the integrator took
   int linear_iterations = 0;  ///< over all sub-steps
-  int passes = 0;             ///< linear solves: one a sub-step where the mesh stands still
+  int passes = 0;             ///< linear solves: one a sub-step where nothing convects
   std::string reason;         ///< empty when converged
 };
 

@@ -73,33 +73,6 @@ void WaveOperator::compute_cells(const std::vector<char>& vertex_moved) {
   }
 }
 
-void WaveOperator::set_velocity(std::span<const double> velocity) {
-  velocity_.assign(velocity.begin(), velocity.end());
-  moving_cells_.clear();
-  moving_walls_.clear();
-  if (velocity_.empty()) return;
-  const int d = mesh_->dimension;
-  std::vector<char> moving(mesh_->num_vertices(), 0);
-  for (std::size_t i = 0; i < velocity_.size(); ++i) {
-    if (velocity_[i] != 0) moving[i / d] = 1;
-  }
-  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
-    const auto vertices = mesh_->vertices_of(cell);
-    if (std::any_of(vertices.begin(), vertices.end(), [&](std::int32_t v) { return moving[v]; })) {
-      moving_cells_.push_back(cell);
-    }
-  }
-  for (const BoundaryFacet& facet : facets_) {
-    if (!facet.is_wall()) continue;
-    const auto vertices = mesh_->vertices_of(facet.cell);
-    for (int i = 0; i <= d; ++i) {
-      if (i == facet.index || !moving[vertices[i]]) continue;
-      moving_walls_.push_back(facet);
-      break;
-    }
-  }
-}
-
 double WaveOperator::facet_weight(const BoundaryFacet& facet) const {
   const int d = mesh_->dimension;
   const double* g = gradient(facet.cell, facet.index);
@@ -190,10 +163,19 @@ void WaveOperator::add_stiffness(double factor, std::span<const double> potentia
 }
 
 void WaveOperator::add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const {
-  const int d = mesh_->dimension;
   if (subscale_time_ > 0 && subscales_) subscales_->add(gradients_, subscale_weights(factor, true), pressure, sums);
+  add_facet_admittance(factor, pressure, sums, false);
+}
+
+void WaveOperator::add_open_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const {
+  add_facet_admittance(factor, pressure, sums, true);
+}
+
+void WaveOperator::add_facet_admittance(double factor, std::span<const double> pressure, std::span<double> sums,
+                                        bool open_only) const {
+  const int d = mesh_->dimension;
   for (const BoundaryFacet& facet : facets_) {
-    if (facet.on_pressure == 0) continue;
+    if (facet.on_pressure == 0 || (open_only && !facet.is_open)) continue;
     const double weight = factor * facet.on_pressure * facet_weight(facet);
     const auto vertices = mesh_->vertices_of(facet.cell);
     double total = 0;
@@ -212,77 +194,6 @@ void WaveOperator::add_flux(double g, std::span<double> sums) const {
     for (int i = 0; i <= d; ++i) {
       if (i != facet.index) sums[vertices[i]] += g * (d + 1) * facet_weight(facet);
     }
-  }
-}
-
-void WaveOperator::add_convection(std::span<const double> pressure, std::span<double> sums) const {
-  const int d = mesh_->dimension;
-  for (const std::int32_t cell : moving_cells_) {
-    const auto vertices = mesh_->vertices_of(cell);
-    double rate[4], total = 0;  // of ∇p with β at each vertex
-    double slope[3] = {0, 0, 0};
-    for (int i = 0; i <= d; ++i) {
-      for (int k = 0; k < d; ++k) slope[k] += pressure[vertices[i]] * gradient(cell, i)[k];
-    }
-    for (int i = 0; i <= d; ++i) {
-      rate[i] = 0;
-      for (int k = 0; k < d; ++k) rate[i] += velocity_[static_cast<std::size_t>(vertices[i]) * d + k] * slope[k];
-      total += rate[i];
-    }
-    const double weight = inverse_bulk_modulus_ * measures_[cell] / ((d + 1) * (d + 2));
-    for (int i = 0; i <= d; ++i) sums[vertices[i]] += weight * (total + rate[i]);
-  }
-}
-
-void WaveOperator::potential_convection(std::span<const double> potential, std::span<const double> pressure,
-                                        std::vector<double>& rates,
-                                        std::span<const std::vector<double>> wall_velocities) const {
-  // Sums at a vertex: measure x gradient over its cells, measure; then over its moving walls, each weighed by area and
-  // normal velocity: normal, u·n, weight. So where a moving wall meets one that slides along itself the first decides.
-  const int d = mesh_->dimension;
-  const int columns = 2 * d + 3;
-  std::vector<double> sums(static_cast<std::size_t>(mesh_->num_vertices()) * columns, 0.0);
-  for (const std::int32_t cell : moving_cells_) {
-    const auto vertices = mesh_->vertices_of(cell);
-    double slope[3] = {0, 0, 0};
-    for (int i = 0; i <= d; ++i) {
-      for (int k = 0; k < d; ++k) slope[k] += potential[vertices[i]] * gradient(cell, i)[k];
-    }
-    for (const std::int32_t vertex : vertices) {
-      double* sum = sums.data() + static_cast<std::size_t>(vertex) * columns;
-      for (int k = 0; k < d; ++k) sum[k] += measures_[cell] * slope[k];
-      sum[d] += measures_[cell];
-    }
-  }
-  for (const BoundaryFacet& facet : moving_walls_) {
-    const double* inward = gradient(facet.cell, facet.index);
-    const double length = std::sqrt(std::inner_product(inward, inward + d, inward, 0.0));
-    const auto vertices = mesh_->vertices_of(facet.cell);
-    for (int i = 0; i <= d; ++i) {
-      if (i == facet.index) continue;
-      const double* beta = velocity_.data() + static_cast<std::size_t>(vertices[i]) * d;
-      const double weight = std::abs(std::inner_product(beta, beta + d, inward, 0.0)) / length * facet_weight(facet);
-      double* sum = sums.data() + static_cast<std::size_t>(vertices[i]) * columns + d + 1;
-      for (int k = 0; k < d; ++k) sum[k] -= weight * inward[k] / length;
-      sum[d] += weight * facet.on_pressure * pressure[vertices[i]];
-      if (facet.wall >= 0) sum[d] += weight * wall_velocities[facet.wall][vertices[i]];
-      sum[d + 1] += weight;
-    }
-  }
-  space_->halo.add_to_owners(sums, columns);
-  space_->halo.copy_to_ghosts(sums, columns);
-  rates.assign(mesh_->num_vertices(), 0.0);
-  for (std::int32_t v = 0; v < mesh_->num_vertices(); ++v) {
-    const double* sum = sums.data() + static_cast<std::size_t>(v) * columns;
-    if (sum[d] == 0) continue;
-    const double* beta = velocity_.data() + static_cast<std::size_t>(v) * d;
-    rates[v] = std::inner_product(beta, beta + d, sum, 0.0) / sum[d];
-    const double* wall = sum + d + 1;
-    const double square = std::inner_product(wall, wall + d, wall, 0.0);
-    if (square <= 1e-20 * wall[d + 1] * wall[d + 1]) continue;
-    const double normal_slope = std::inner_product(wall, wall + d, sum, 0.0) / (std::sqrt(square) * sum[d]);
-    const double beta_normal = std::inner_product(beta, beta + d, wall, 0.0) / std::sqrt(square);
-    rates[v] -= beta_normal * (normal_slope + wall[d] / wall[d + 1]);
   }
 }
 

@@ -19,7 +19,7 @@ namespace vocalis::acoustic {
 ///   admittance    <µ p / (ρ c), q>_walls, open; with velocity_elements = "P1" also (τ / ρ) (P⊥∇p, P⊥∇q), τ = C h / c
 ///                                              of walls that yield the system holds that of its step, and
 ///                                              `YieldingWalls` what they do of themselves
-///   convection    (1 / (ρ c²)) (β·∇p, q), and β·∇ψ at the vertices
+///   convection    (1 / (ρ c²)) ((β - U)·∇p, q), and (β - U)·∇ψ at the vertices: β of the mesh, U of the medium
 ///
 /// Functions that add leave the sums of each rank over its own cells: the caller adds them to the owners. Arrays have
 /// one number a local vertex, ghosts current where they are read.
@@ -32,10 +32,16 @@ class WaveOperator {
   /// moved on this rank. Not collective.
   bool set_geometry(std::span<const double> coordinates);
 
-  /// Cells with a vertex of non-zero velocity, in which `add_convection` and `potential_convection` integrate.
+  /// Finds the cells in which `add_convection` and `potential_convection` integrate. (vertices, dimension) [m/s],
+  /// ghosts current. Collective.
   ///
-  /// velocity  (vertices, dimension) β [m/s]; empty: nothing moves
-  void set_velocity(std::span<const double> velocity);
+  /// of_mesh    β; empty: the mesh stands still
+  /// of_medium  U; empty: the medium is at rest
+  void set_velocity(std::span<const double> of_mesh, std::span<const double> of_medium = {});
+  /// Whether U is anywhere, on any rank.
+  bool flows() const { return flows_; }
+  /// The largest |U| of this rank's vertices [m/s].
+  double largest_flow_speed() const;
 
   /// (cells, n, n) values of  a mass + admittance + b stiffness  of P1/P0, a = 1 / (θ dt).
   void system_values(double a, double b, std::vector<double>& values) const;
@@ -46,13 +52,21 @@ class WaveOperator {
   /// Both collective.
   void add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const;
   void add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const;
+  /// The part of `add_admittance` that open boundaries have.
+  void add_open_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const;
   /// <g, q> over the facets where the source enters. g [m/s]
   void add_flux(double g, std::span<double> sums) const;
-  void add_convection(std::span<const double> pressure, std::span<double> sums) const;
 
-  /// β·∇ψ at the vertices [m^2/s^2]: ∇ψ is the lumped L2 projection, but for its component normal to a moving wall,
-  /// where a mean over cells on one side alone would be of first order, and ∂ψ/∂n = -u·n is known. Ghosts current.
-  /// wall_velocities: `YieldingWalls::velocities`. Collective.
+  /// Adds (1 / (ρ c²)) (β·∇p, q), and of the flow what is adjoint to `potential_convection`, so that the energy of
+  /// docs/theory.md, "Sound in a flow", stays: (D q, µ) with D = U·∇ at the vertices and µ = `momentum`, less
+  /// (1 / (ρ c²)) <U·n p, q> on all facets but open ones. Collective if the medium flows.
+  void add_convection(std::span<const double> pressure, std::span<const double> momentum, std::span<double> sums) const;
+  /// (1 / (ρ c²)) (p, q) where the medium flows, ghosts current; empty where nothing flows. Collective.
+  std::vector<double> momentum(std::span<const double> pressure) const;
+
+  /// (β - U)·∇ψ at the vertices [m^2/s^2]: ∇ψ is the lumped L2 projection, but for its component normal to a moving
+  /// wall, where a mean over cells on one side alone would be of first order, and ∂ψ/∂n = -u·n is known. Ghosts
+  /// current. wall_velocities: `YieldingWalls::velocities`. Collective.
   void potential_convection(std::span<const double> potential, std::span<const double> pressure,
                             std::vector<double>& rates,
                             std::span<const std::vector<double>> wall_velocities = {}) const;
@@ -64,6 +78,10 @@ class WaveOperator {
   double smallest_length() const;
   /// Owned vertices with p = 0.
   const std::vector<std::int32_t>& released() const { return released_; }
+  /// Local vertices, ghosts too, that are released and stand still in a flow: there ψ̇ = 0, and so p = ρ U·∇ψ.
+  const std::vector<std::int32_t>& inlets() const { return inlets_; }
+  /// Whether there are any on any rank.
+  bool has_inlets() const { return has_inlets_; }
   std::span<const double> coordinates() const { return coordinates_; }
   const std::vector<BoundaryFacet>& facets() const { return facets_; }
   double inverse_bulk_modulus() const { return inverse_bulk_modulus_; }
@@ -81,6 +99,11 @@ class WaveOperator {
  private:
   template <int D>
   void compute_cells(const std::vector<char>& vertex_moved);
+  void add_facet_admittance(double factor, std::span<const double> pressure, std::span<double> sums,
+                            bool open_only) const;
+  void add_flow(std::span<const double> pressure, std::span<const double> momentum, std::span<double> sums) const;
+  /// Measure of all cells around each vertex where the medium flows, ghosts current. Collective.
+  std::vector<double> flow_measures() const;
   /// Measure times factor, and times τ / ρ if `damps`.
   std::vector<double> subscale_weights(double factor, bool damps) const;
 
@@ -97,9 +120,11 @@ class WaveOperator {
   std::vector<double> gradients_;    ///< (cells, dimension + 1, dimension) of the P1 basis [1/m]
   std::vector<double> measures_;     ///< (cells) [m^2, m^3]
   std::vector<double> lengths_;      ///< (cells) h [m]
-  std::vector<double> velocity_;     ///< β, or empty
-  std::vector<std::int32_t> moving_cells_;
+  std::vector<double> mesh_velocity_, medium_velocity_, velocity_;          ///< β, U, β - U, each maybe empty
+  std::vector<std::int32_t> moving_cells_, flow_cells_, convecting_cells_;  ///< with a vertex of β, U, β - U
   std::vector<BoundaryFacet> moving_walls_;
+  std::vector<std::int32_t> inlets_;
+  bool flows_ = false, has_inlets_ = false;
 };
 
 }  // namespace vocalis::acoustic
