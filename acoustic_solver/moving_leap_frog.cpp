@@ -108,7 +108,9 @@ void MovingLeapFrog::sub_step(double dt, std::span<const double> load, double fl
   if (wave_->flows()) {
     wave_->potential_convection(potential, state.p, convection);
     for (const std::int32_t v : wave_->inlets()) state.p[v] = -density_ * convection[v];
-    for (std::size_t v = 0; v < num_vertices; ++v) fixed[v] -= density_ * terms.open_admittance[v] * convection[v];
+    for (std::int32_t v = 0; v < space_->dofs.num_owned; ++v) {
+      fixed[v] -= density_ * terms.open_admittance[v] * convection[v];
+    }
   }
   std::vector<double> middle = state.p;
   const int passes = wave_->flows() ? kFlowPasses : kPasses;

@@ -104,9 +104,9 @@ TEST_CASE("sound in a flow with shear never has more energy than the flow lets i
   // (1 - M) E < H < (1 + M) E, and H stays or falls: docs/theory.md, "Sound in a flow".
   const double bound = (1 + kMach) / (1 - kMach);
   for (const Flow& flow : flows()) {
-    for (const double courant_number : {0.5, 5.0}) check(flow, Integrator::implicit, courant_number, 100, bound);
+    for (const double courant_number : {1.0, 5.0}) check(flow, Integrator::implicit, courant_number, 50, bound);
     // The leap-frog keeps an energy of its own, from which E differs by a part of itself at the mesh's frequencies.
-    check(flow, Integrator::leap_frog, 5, 100, 2);
+    check(flow, Integrator::leap_frog, 5, 30, 2);
   }
 }
 
