@@ -1,6 +1,7 @@
 #include "coupling/simulation.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "core/base/stopwatch.hpp"
 
@@ -91,21 +92,22 @@ bool Simulation::try_flow_step(StepOutcome& outcome) {
 }
 
 void Simulation::step_voices(double dt, StepOutcome& outcome) {
+  std::map<PressureDerivative, FlowStep> steps;  // voices with the same derivative follow the same step
+  const auto step_for = [&](PressureDerivative derivative) -> const FlowStep& {
+    const auto scope = timers_.scope("analogy");
+    if (!steps.contains(derivative)) steps.emplace(derivative, history_->step(derivative));
+    return steps.at(derivative);
+  };
   for (auto& voice : voices_) {
     acoustic::AdvanceReport report;
     if (!history_) {
       report = voice->drive(dt, [this](double time) { return source_ ? source_->value(time) : 0.0; });
     } else if (history_->has_step(voice->derivative())) {
-      report = voice->follow(flow_step(voice->derivative()));
+      report = voice->follow(step_for(voice->derivative()));
     }
     outcome.acoustic_iterations += report.linear_iterations;
     if (!report.converged) outcome.failure = "the acoustic step did not converge: " + report.reason;
   }
-}
-
-FlowStep Simulation::flow_step(PressureDerivative derivative) {
-  const auto scope = timers_.scope("analogy");
-  return history_->step(derivative);
 }
 
 void Simulation::follow_contact() {

@@ -68,7 +68,6 @@ class Simulation {
   StepOutcome step_flow();
   bool try_flow_step(StepOutcome& outcome);
   void step_voices(double dt, StepOutcome& outcome);
-  FlowStep flow_step(PressureDerivative derivative);
 
   Scene& scene_;
   base::Timers& timers_;
