@@ -65,11 +65,22 @@ void check(const AcousticSettings& settings) {
 
 }  // namespace
 
-AcousticSolver::AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& settings) : settings_(settings) {
-  check(settings_);
-  discretisation_ = std::make_unique<Discretisation>(mesh, settings_);
-  state_.p.assign(mesh.num_vertices(), 0.0);
-  state_.psi.assign(mesh.num_vertices(), 0.0);
+AcousticSolver::AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& settings)
+    : AcousticSolver(settings, [&] {
+        check(settings);
+        return std::make_shared<Discretisation>(mesh, settings);
+      }()) {}
+
+AcousticSolver AcousticSolver::beside(const AcousticSolver& other, const AcousticSettings& settings) {
+  assert(differ_in_source_alone(other.settings_, settings));
+  other.discretisation_->is_shared = true;
+  return {settings, other.discretisation_};
+}
+
+AcousticSolver::AcousticSolver(const AcousticSettings& settings, std::shared_ptr<Discretisation> discretisation)
+    : settings_(settings), discretisation_(std::move(discretisation)) {
+  state_.p.assign(discretisation_->mesh->num_vertices(), 0.0);
+  state_.psi.assign(discretisation_->mesh->num_vertices(), 0.0);
   discretisation_->layers.prepare(state_);
   discretisation_->walls.prepare(state_);
 }
@@ -196,9 +207,11 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   step.dt = dt / count;
   step.moves = moves;
   step.convects = moves || flows;
+  step.is_shared = here.is_shared && moves;
   step.flux_at = source.flux;
   for (int s = 0; s < count; ++s) {
     step.begin = start + s * step.dt;
+    if (here.is_shared && moves) step.slot = s;
     const double at_theta = (s + theta) / count;
     if (moves) step.place = [&](double part) { place_at((s + part) / count); };
     if (source.begin) {

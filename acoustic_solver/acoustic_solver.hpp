@@ -46,6 +46,10 @@ class AcousticSolver {
   /// Silence on `mesh`, which must outlive the solver or be replaced by `adopt`. PETSc's options begin with
   /// "acoustic_". Throws UserError if a setting is out of its range or names an unknown group. Collective.
   AcousticSolver(const mesh::Mesh& mesh, const AcousticSettings& settings);
+  /// Silence beside another sound on the same mesh, with the same settings but for name and analogy: both share what
+  /// follows from these, matrices and preconditioners for the most part, which are made once if both take the same
+  /// steps one after the other with the same motion. `adopt` ends that.
+  static AcousticSolver beside(const AcousticSolver& other, const AcousticSettings& settings);
   ~AcousticSolver();
   AcousticSolver(AcousticSolver&&) noexcept;
   AcousticSolver& operator=(AcousticSolver&&) noexcept;
@@ -79,6 +83,7 @@ class AcousticSolver {
 
  private:
   struct Discretisation;
+  AcousticSolver(const AcousticSettings& settings, std::shared_ptr<Discretisation> discretisation);
   /// Sets the velocities, and where the mesh stands still the geometry; returns whether it moves.
   bool place(double dt, const Motion& motion);
   /// Sets p of released vertices to what the flow makes it, or 0.
@@ -87,7 +92,7 @@ class AcousticSolver {
   double stable_step(bool moves, const std::function<void(double)>& place_at);
 
   AcousticSettings settings_;
-  std::unique_ptr<Discretisation> discretisation_;  ///< derived from the mesh and the settings
+  std::shared_ptr<Discretisation> discretisation_;  ///< derived from the mesh and the settings
   State state_;
 };
 

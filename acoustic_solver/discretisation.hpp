@@ -43,6 +43,7 @@ struct AcousticSolver::Discretisation {
   YieldingWalls walls;
   ExplicitStep leap_frog;
   std::unique_ptr<ImplicitStep> theta_scheme;  ///< once it is needed
+  bool is_shared = false;                      ///< by sounds that take the same sub-steps one after another
   double bound_standing_still = 0;             ///< [s]; 0: not known
 };
 

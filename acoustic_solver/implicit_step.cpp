@@ -41,10 +41,10 @@ ImplicitStep::ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, cons
       wave_(&wave),
       layers_(&layers),
       walls_(&walls),
+      settings_(settings),
       density_(settings.density),
       theta_(settings.theta),
-      tolerance_(settings.solver_tolerance),
-      system_(mesh, space, wave.released(), settings) {}
+      tolerance_(settings.solver_tolerance) {}
 
 double ImplicitStep::norm(const std::vector<double>& owned_values) const {
   double square = 0;
@@ -52,8 +52,19 @@ double ImplicitStep::norm(const std::vector<double>& owned_values) const {
   return std::sqrt(base::sum(mesh_->comm, square));
 }
 
-bool ImplicitStep::solve_step(const SubStep& step, const std::vector<double>& fixed, ImplicitConvection& convection,
-                              std::vector<double>& increment, AdvanceReport& report) {
+PressureSystem& ImplicitStep::system_for(const SubStep& step) {
+  const double a = 1 / (theta_ * step.dt), b = theta_ * step.dt / density_;
+  while (static_cast<int>(systems_.size()) <= step.slot) {
+    systems_.push_back(std::make_unique<PressureSystem>(*mesh_, *space_, wave_->released(), settings_));
+  }
+  PressureSystem& system = *systems_[step.slot];
+  const bool is_assembled = step.moves ? system.is_assembled(a, b, step.begin) : system.is_assembled(a, b);
+  if (!is_assembled) system.assemble(*wave_, *layers_, a, b, step.begin, step.is_shared);
+  return system;
+}
+
+bool ImplicitStep::solve_step(const SubStep& step, PressureSystem& system, const std::vector<double>& fixed,
+                              ImplicitConvection& convection, std::vector<double>& increment, AdvanceReport& report) {
   std::vector<double> right_hand_side = fixed, difference;
   if (step.convects) convection.update(increment);
   for (int pass = 0;; ++pass) {
@@ -71,7 +82,7 @@ bool ImplicitStep::solve_step(const SubStep& step, const std::vector<double>& fi
         return false;
       }
     }
-    const la::SolveReport solved = system_.solve(right_hand_side, increment);
+    const la::SolveReport solved = system.solve(right_hand_side, increment);
     report.linear_iterations += solved.iterations;
     ++report.passes;
     if (!solved.converged) {
@@ -88,8 +99,8 @@ bool ImplicitStep::solve_step(const SubStep& step, const std::vector<double>& fi
 bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& report) {
   // Unknown: δ = p_θ - p at the θ-point, where ψ_θ = ψ + θ dt (p_θ / ρ + v·∇ψ_θ). With it the mass of p drops out:
   //   (mass / (θ dt) + admittance + b stiffness) δ = load - admittance p - stiffness (ψ + b p) + terms with v.
-  const double beta = theta_ * step.dt, a = 1 / beta, b = beta / density_;
-  if (step.moves || !system_.is_assembled(a, b)) system_.assemble(*wave_, *layers_, a, b);
+  const double beta = theta_ * step.dt, b = beta / density_;
+  PressureSystem& system = system_for(step);
   const std::size_t num_vertices = state.p.size();
   ImplicitConvection convection(*space_, *wave_, *walls_, density_, beta, state);
   std::vector<double> increment = extrapolated_increment(state);
@@ -106,7 +117,7 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
   walls_->add_forces(beta, pressure, state, fixed);
   space_->halo.add_to_owners(fixed);
   for (std::size_t v = 0; v < step.load.size(); ++v) fixed[v] += step.load[v];
-  if (!solve_step(step, fixed, convection, increment, report)) return false;
+  if (!solve_step(step, system, fixed, convection, increment, report)) return false;
 
   if (layers_->exist() || walls_->exist()) {
     std::vector<double> middle_pressure;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "acoustic_solver/implicit_convection.hpp"
@@ -27,12 +28,16 @@ class ImplicitStep {
   /// Where the load is wanted, as a part of the sub-step.
   double load_at() const { return theta_; }
   /// Forgets matrix and preconditioner.
-  void drop() { system_.drop(); }
+  void drop() {
+    for (auto& system : systems_) system->drop();
+  }
 
  private:
   /// Finds the increment of p to the θ-point, from a guess of it.
-  bool solve_step(const SubStep& step, const std::vector<double>& fixed, ImplicitConvection& convection,
-                  std::vector<double>& increment, AdvanceReport& report);
+  bool solve_step(const SubStep& step, PressureSystem& system, const std::vector<double>& fixed,
+                  ImplicitConvection& convection, std::vector<double>& increment, AdvanceReport& report);
+  /// Assembled for the sub-step.
+  PressureSystem& system_for(const SubStep& step);
   double norm(const std::vector<double>& owned_values) const;
 
   const mesh::Mesh* mesh_;
@@ -40,8 +45,9 @@ class ImplicitStep {
   const WaveOperator* wave_;
   const Layers* layers_;
   const YieldingWalls* walls_;
+  AcousticSettings settings_;
   double density_, theta_, tolerance_;
-  PressureSystem system_;
+  std::vector<std::unique_ptr<PressureSystem>> systems_;  ///< by SubStep::slot
 };
 
 }  // namespace vocalis::acoustic

@@ -45,7 +45,8 @@ void PressureSystem::prepare_solver(const WaveOperator& wave) {
       create_pressure_solver(equal_order_ ? equal_order_->get() : matrix_.get(), matrix_.get(), wanted, tolerance_);
 }
 
-void PressureSystem::assemble(const WaveOperator& wave, const Layers& layers, double a, double b) {
+void PressureSystem::assemble(const WaveOperator& wave, const Layers& layers, double a, double b, double time,
+                              bool is_solved_often) {
   wave.system_values(a, b, values_);
   layers.add_system_values(1 / a, values_);
   matrix_.assemble(values_);
@@ -53,11 +54,27 @@ void PressureSystem::assemble(const WaveOperator& wave, const Layers& layers, do
   if (!assembled_ || a != a_ || b != b_) rebuild_ = true;
   a_ = a;
   b_ = b;
-  if (rebuild_) prepare_solver(wave);
+  time_ = time;
+  // A plane block on one rank is its own inverse when factorised: no iterations, worth it for several solves.
+  const bool is_whole = base::size(layout_.comm()) == 1 && !equal_order_;
+  if (rebuild_ || (is_solved_often && is_whole)) prepare_solver(wave);
+  is_exact_ = is_solved_often && is_whole && preconditioner_ == Preconditioner::cholesky;
+  if (is_exact_) rebuild_ = true;
   base::check(KSPSetReusePreconditioner(solver_.get(), rebuild_ ? PETSC_FALSE : PETSC_TRUE));
   if (rebuild_) iterations_when_new_ = -1;
   rebuild_ = false;
   assembled_ = true;
+}
+
+la::SolveReport PressureSystem::apply_factors() {
+  PC factors = nullptr;
+  base::check(KSPGetPC(solver_.get(), &factors));
+  base::check(KSPSetUp(solver_.get()));
+  base::check(PCApply(factors, right_hand_side_.get(), solution_.get()));
+  la::SolveReport report;
+  report.converged = true;
+  report.iterations = 1;
+  return report;
 }
 
 la::SolveReport PressureSystem::solve(std::span<const double> right_hand_side, std::span<double> solution) {
@@ -69,7 +86,8 @@ la::SolveReport PressureSystem::solve(std::span<const double> right_hand_side, s
     std::copy_n(solution.data(), num_owned, x.data());
     for (const std::int32_t position : constrained_) b[position] = x[position] = 0;
   }
-  const la::SolveReport report = la::solve(solver_.get(), right_hand_side_.get(), solution_.get());
+  const la::SolveReport report =
+      is_exact_ ? apply_factors() : la::solve(solver_.get(), right_hand_side_.get(), solution_.get());
   if (iterations_when_new_ < 0) {
     iterations_when_new_ = report.iterations;
   } else if (report.iterations > iterations_when_new_ + iterations_when_new_ / 4 + 2) {

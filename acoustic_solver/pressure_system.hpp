@@ -23,9 +23,12 @@ class PressureSystem {
   PressureSystem(const mesh::Mesh& mesh, const fem::Space& space, const std::vector<std::int32_t>& constrained,
                  const AcousticSettings& settings);
 
-  /// Collective.
-  void assemble(const WaveOperator& wave, const Layers& layers, double a, double b);
+  /// For the wave operator's geometry, of the sub-step that begins at `time` [s] if the mesh moves. Collective.
+  ///
+  /// is_solved_often  by several sounds
+  void assemble(const WaveOperator& wave, const Layers& layers, double a, double b, double time, bool is_solved_often);
   bool is_assembled(double a, double b) const { return assembled_ && a == a_ && b == b_; }
+  bool is_assembled(double a, double b, double time) const { return is_assembled(a, b) && time == time_; }
   void drop() { assembled_ = false; }
 
   /// Solves for the owned values. `solution` holds the starting guess on entry; constrained entries become 0.
@@ -35,6 +38,7 @@ class PressureSystem {
  private:
   /// Chooses the preconditioner, and creates the solver if there is none or its preconditioner is another.
   void prepare_solver(const WaveOperator& wave);
+  la::SolveReport apply_factors();
 
   la::SystemLayout layout_;
   std::vector<std::int32_t> constrained_;
@@ -46,8 +50,9 @@ class PressureSystem {
   Preconditioner preconditioner_ = Preconditioner::incomplete;
   la::PetscVector right_hand_side_, solution_;
   std::vector<double> values_;
-  double a_ = 0, b_ = 0;
+  double a_ = 0, b_ = 0, time_ = 0;
   bool assembled_ = false;
+  bool is_exact_ = false;         ///< the preconditioner is the inverse
   bool rebuild_ = true;           ///< of the preconditioner, at the next assembly
   int iterations_when_new_ = -1;  ///< of the first solve with the present preconditioner; -1: not yet solved
 };

@@ -48,6 +48,7 @@ struct AcousticBoundary {
   double kinematic_viscosity = 1.64e-5;  ///< ν [m^2/s]
   double thermal_diffusivity = 2.32e-5;  ///< α [m^2/s]
   double heat_capacity_ratio = 1.4;      ///< γ [-]
+  bool operator==(const AcousticBoundary&) const = default;
 };
 
 /// Sides of the mesh's bounding box.
@@ -66,6 +67,7 @@ struct AbsorbingLayer {
   double thickness = 0;      ///< [m]
   double reflection = 1e-3;  ///< of a plane wave at a right angle, there and back from a rigid end
   bool may_grow = false;     ///< take thin layers along two of three axes too: good for short times only
+  bool operator==(const AbsorbingLayer&) const = default;
 };
 
 /// What cells of the flow that have become solid in a contact are to the sound.
@@ -92,6 +94,7 @@ struct AnalogySettings {
   std::array<double, 3> window_centre = {0, 0, 0};
   double window_radius = 0;  ///< [m] the source is whole within, 0: everywhere
   double window_width = 0;   ///< [m] beyond which it has faded away
+  bool operator==(const AnalogySettings&) const = default;
 };
 
 /// One acoustic solver: its medium, boundaries and step.
@@ -110,7 +113,15 @@ struct AcousticSettings {
   ContactCells contact_cells = ContactCells::keep;
   std::vector<AcousticBoundary> boundaries;
   std::vector<AbsorbingLayer> layers;
+  bool operator==(const AcousticSettings&) const = default;
 };
+
+/// Whether two sounds on one mesh have all but their source in common.
+inline bool differ_in_source_alone(AcousticSettings one, const AcousticSettings& other) {
+  one.name = other.name;
+  one.analogy = other.analogy;
+  return one == other;
+}
 
 enum class MicrophoneKind {
   mesh,      ///< in a cell of the air

@@ -68,6 +68,7 @@ class Simulation {
   StepOutcome step_flow();
   bool try_flow_step(StepOutcome& outcome);
   void step_voices(double dt, StepOutcome& outcome);
+  const Voice* voice_beside(const acoustic::AcousticSettings& settings) const;
 
   Scene& scene_;
   base::Timers& timers_;

@@ -68,7 +68,7 @@ void require_rebuildable(const acoustic::AcousticSettings& settings, Unknown unk
 
 }  // namespace
 
-Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings)
+Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings, const Voice* beside)
     : scene_(scene),
       settings_(settings),
       step_(config.time.step),
@@ -77,7 +77,8 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
       analogy_(make_analogy(settings.analogy,
                             {settings.density, settings.speed_of_sound, source_window(scene, settings.analogy)})),
       air_(make_air(scene, {})),
-      solver_(air_->mesh(), settings),
+      solver_(beside ? acoustic::AcousticSolver::beside(beside->solver_, settings)
+                     : acoustic::AcousticSolver(air_->mesh(), settings)),
       microphones_(air_->mesh(), config.microphones, far_field(scene, config, settings, air_->cell_has_flow)) {
   require_rebuildable(settings, analogy_->unknown());
   microphones_.require_inside();
@@ -173,7 +174,7 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
     const acoustic::FlowPressure heard = {flow_, air_->cell_has_flow};
     microphones_.sample(time, sound_.empty() ? solver_.state().p : sound_, &heard);
   };
-  const acoustic::Motion motion = {.begin = drive.from, .end = drive.to};
+  const acoustic::Motion motion = {.begin = drive.from, .end = drive.to, .convection = drive.convection};
   const auto report = solver_.advance(dt, motion, {.begin = &drive.begin, .end = &drive.end, .flux = {}}, listen);
   mesh.coordinates = drive.to;
   return report;

@@ -29,7 +29,9 @@ class Voice {
  public:
   /// The scene must outlive the voice. Throws UserError for a microphone outside of the air, a far field that cannot
   /// be, or an analogy that cannot do what the settings ask for. Collective.
-  Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings);
+  ///
+  /// beside  a voice to share matrices with where that can be, see `AcousticSolver::beside`
+  Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings, const Voice* beside = nullptr);
 
   /// Follows one accepted step of the flow, and its cells in contact. Collective.
   acoustic::AdvanceReport follow(const FlowStep& step);
