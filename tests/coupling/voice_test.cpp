@@ -156,6 +156,34 @@ TEST_CASE("analogies for p_a and for the whole pressure give the same sound of t
   }
 }
 
+TEST_CASE("voices that share their matrices sound as each of them alone") {
+  for (const auto displacement : {nowhere, swing}) {
+    const auto scene = duct(40);
+    const double dt = 2e-5;
+    const Case config = case_with_microphones();
+    acoustic::AcousticSettings settings = air(0.51 * dt), other_settings = settings;
+    other_settings.name = "other";
+    other_settings.analogy.name = "lighthill";
+    CHECK(differ_in_source_alone(settings, other_settings));
+    Voice one(*scene, config, settings), alone(*scene, config, other_settings);
+    Voice beside(*scene, config, other_settings, &one);
+    const FakeFlow flow(*scene, displacement);
+    for (int n = 50; n < 60; ++n) {
+      const FlowView view = flow.view(n * dt, (n + 1) * dt);
+      for (Voice* voice : {&one, &beside, &alone}) {
+        CHECK(voice->follow(view, flow.displacement(n * dt), flow.displacement((n + 1) * dt)).converged);
+      }
+    }
+    double difference = 0, largest = 0;
+    const auto p = beside.pressure().values, q = alone.pressure().values;
+    for (std::size_t v = 0; v < p.size(); ++v) {
+      difference = std::max(difference, std::abs(p[v] - q[v]));
+      largest = std::max(largest, std::abs(q[v]));
+    }
+    CHECK(base::largest(MPI_COMM_WORLD, difference) < 1e-6 * base::largest(MPI_COMM_WORLD, largest));
+  }
+}
+
 TEST_CASE("a prescribed flux is the sound of a piston") {
   const auto scene = test::box_scene({length, 0.004, 0}, {80, 2, 0}, [](const auto&) { return RegionKind::air; });
   Case config;
