@@ -10,6 +10,7 @@
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
 #include "core/mesh/facets.hpp"
+#include "core/mesh/flood.hpp"
 #include "core/mesh/geometry.hpp"
 
 namespace vocalis::acoustic {
@@ -20,41 +21,6 @@ using base::UserError;
 
 std::size_t place_of(const mesh::Mesh& mesh, std::int32_t cell, int facet) {
   return static_cast<std::size_t>(cell) * (mesh.dimension + 1) + facet;
-}
-
-/// Marks, (local cells), all that can be reached from the marked cells without passing a barred facet. Collective.
-std::vector<std::int32_t> flooded(const mesh::Mesh& mesh, std::span<const std::int32_t> from,
-                                  const std::vector<char>& is_barred) {
-  std::vector<std::int32_t> marks(mesh.cells.num_local(), 0);
-  std::copy(from.begin(), from.end(), marks.begin());
-  std::int32_t changed = 1;
-  while (base::largest(mesh.comm, changed) > 0) {
-    mesh.cell_halo.copy_to_ghosts(marks);
-    changed = 0;
-    std::vector<std::int32_t> waiting;
-    const auto is_reached = [&](std::int32_t cell) {
-      for (int i = 0; i <= mesh.dimension; ++i) {
-        const std::int32_t behind = mesh.cell_neighbours[place_of(mesh, cell, i)];
-        if (behind >= 0 && marks[behind] && !is_barred[place_of(mesh, cell, i)]) return true;
-      }
-      return false;
-    };
-    for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
-      if (!marks[cell] && is_reached(cell)) waiting.push_back(cell);
-    }
-    while (!waiting.empty()) {
-      const std::int32_t cell = waiting.back();
-      waiting.pop_back();
-      if (marks[cell]) continue;
-      marks[cell] = changed = 1;
-      for (int i = 0; i <= mesh.dimension; ++i) {
-        const std::int32_t behind = mesh.cell_neighbours[place_of(mesh, cell, i)];
-        const bool goes = behind >= 0 && behind < mesh.num_cells() && !is_barred[place_of(mesh, cell, i)];
-        if (goes && !marks[behind]) waiting.push_back(behind);
-      }
-    }
-  }
-  return marks;
 }
 
 /// The facets with the sources behind them, and whether each owned cell is on that side. Collective.
@@ -81,7 +47,7 @@ Sides inner_side(const mesh::Mesh& mesh, const std::string& group, std::span<con
     sides.is_inner.assign(mesh.num_cells(), 1);
     return sides;
   }
-  const std::vector<std::int32_t> marks = flooded(mesh, has_source, is_barred);
+  const std::vector<std::int32_t> marks = mesh::flooded(mesh, has_source, is_barred);
   std::int32_t leaks = 0;
   for (const mesh::NamedFacet& facet : facets) {
     const std::int32_t behind = mesh.cell_neighbours[place_of(mesh, facet.cell, facet.index)];

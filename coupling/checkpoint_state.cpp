@@ -82,6 +82,16 @@ std::string memory_name(std::size_t voice, std::size_t index) {
   return "acoustic" + std::to_string(voice) + ".memory" + std::to_string(index);
 }
 
+/// What microphones of surfaces are still to hear; the names end in the number of the microphone.
+template <class State, class Function>
+void for_each_surface_array(State&& state, const std::string& name, const Function& function) {
+  function(name + ".clock", state.clock);
+  function(name + ".emissions", state.emissions);
+  function(name + ".sums", state.sums);
+}
+
+std::string surface_name(std::size_t microphone) { return "surface_microphone" + std::to_string(microphone); }
+
 std::vector<double> on_rank_0(MPI_Comm comm, std::vector<double> values) {
   if (base::rank(comm) != 0) values.clear();
   return values;
@@ -149,6 +159,11 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     const auto& far_fields = simulation.voices()[i]->microphones().far_fields();
     for (std::size_t f = 0; f < far_fields.size(); ++f) {
       for_each_far_field_array(far_fields[f].state(), far_field_name(i, f), add);
+    }
+  }
+  if (const SurfaceMicrophones* surfaces = simulation.surface_microphones()) {
+    for (std::size_t m = 0; m < surfaces->microphones().size(); ++m) {
+      for_each_surface_array(surfaces->microphones()[m].state(), surface_name(m), add);
     }
   }
   writer.commit();
@@ -241,6 +256,13 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
       acoustic::FarField::State waiting = far_fields[f].state();
       for_each_far_field_array(waiting, far_field_name(i, f), read);
       far_fields[f].set_state(std::move(waiting));
+    }
+  }
+  if (SurfaceMicrophones* surfaces = simulation.surface_microphones()) {
+    for (std::size_t m = 0; m < surfaces->microphones().size(); ++m) {
+      SurfaceMicrophone::State state = surfaces->microphones()[m].state();
+      for_each_surface_array(state, surface_name(m), read);
+      surfaces->microphones()[m].set_state(std::move(state));
     }
   }
   simulation.restart_from_states();

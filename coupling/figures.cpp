@@ -14,6 +14,7 @@
 #include "core/base/error.hpp"
 #include "core/io/series_reader.hpp"
 #include "core/io/wav.hpp"
+#include "coupling/far_field/surface_series.hpp"
 #include "coupling/history_columns.hpp"
 #include "coupling/phonation/phonation.hpp"
 #include "coupling/sound_comparison.hpp"
@@ -52,12 +53,14 @@ std::vector<double> uniform_since(const std::vector<double>& series, double begi
   return {series.begin() + static_cast<std::ptrdiff_t>(first), series.end()};
 }
 
-/// When the voice begins: all boundary values have risen, and the folds have had 0.3 of the run to forget the start.
+/// When the voice begins: all boundary values have risen, the folds have had 0.3 of the run to forget the start, and
+/// the statistics, where there are any, have begun.
 double begin_of_voice(const Case& config) {
   double end = config.flow ? 0.3 * config.time.end : 0;
   if (config.flow) {
     for (const fsi::FlowBoundary& boundary : config.flow->boundaries) end = std::max(end, boundary.ramp);
   }
+  if (config.statistics) end = std::max(end, config.statistics->begin);
   return end;
 }
 
@@ -152,6 +155,9 @@ std::vector<Channel> channels(const Case& config) {
       result.push_back({suffix, "pressure_Pa." + suffix, solver, microphone.name, microphones_file(config, i)});
     }
   }
+  for (const SurfaceMicrophoneSettings& microphone : config.surface_microphones) {
+    result.push_back({microphone.name, "pressure_Pa." + microphone.name, "", surface_microphones_file(config)});
+  }
   return result;
 }
 
@@ -169,14 +175,15 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     column(history, "time_s", file);
     add_history(config, history, figures);
     if (!config.statistics) add_phonation(config, history, (run / "periods.csv").string(), figures);
-    if (!config.microphones.empty()) volume_flow = first_flux(config, history);
+    volume_flow = first_flux(config, history);
   }
-  if (config.microphones.empty()) return figures;
+  const std::vector<Channel> heard = channels(config);
+  if (heard.empty()) return figures;
 
   std::optional<double> pitch;  // of the prescribed source or of the folds
   if (config.source) pitch = acoustic::prescribed_pitch(config.source->pulse);
   if (const auto found = figures.values.find("f0_Hz"); found != figures.values.end()) pitch = found->second;
-  for (const Channel& channel : channels(config)) {
+  for (const Channel& channel : heard) {
     const std::string file = (run / channel.file).string();
     const io::Series recorded = io::read_series(file);
     const std::vector<double>& times = column(recorded, "time_s", file);

@@ -9,11 +9,13 @@
 
 namespace vocalis::coupling {
 
-/// One microphone of one acoustic solver: its column in microphones.csv and the suffix of its results.
+/// One microphone, of one acoustic solver or of a surface of the flow: its column in microphones.csv and the suffix of
+/// its results.
 struct Channel {
   std::string suffix;  ///< "mouth", or "lighthill.mouth" where a case has several solvers
   std::string column;  ///< "pressure_Pa.mouth"
-  std::string solver, microphone;
+  std::string solver;  ///< empty: of a surface
+  std::string microphone;
   std::string file;  ///< of the run folder: microphones.csv, or microphones_NAME.csv of a later solver
 };
 
@@ -32,7 +34,7 @@ struct Figures {
   std::vector<ChannelSound> sounds;
 };
 
-/// All microphones of a case, solver by solver.
+/// All microphones of a case, solver by solver, then those of surfaces.
 std::vector<Channel> channels(const Case& config);
 
 /// The file of an acoustic solver's microphones, by its place in the case.

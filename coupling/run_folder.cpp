@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/facets.hpp"
+#include "coupling/far_field/surface_series.hpp"
 #include "coupling/figures.hpp"
 #include "fsi_solver/continuum.hpp"
 
@@ -174,6 +175,9 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
                                          clock.time * (1 + 1e-12), goes_on));
     }
   }
+  if (!config.surface_microphones.empty()) {
+    surface_microphones_ = open_surface_series(comm, config, folder, clock.time * (1 + 1e-12), goes_on);
+  }
   if (config.output.fields_interval > 0) {
     parent_space_ = fem::lagrange(scene.parent, 1);
     if (scene.flow) {
@@ -216,6 +220,7 @@ void RunOutput::record_kymograms(Simulation& simulation) {
 }
 
 void RunOutput::record_microphones(Simulation& simulation) {
+  if (surface_microphones_) write_surface_series(*simulation.surface_microphones(), *surface_microphones_);
   for (std::size_t i = 0; i < microphones_.size(); ++i) {
     const auto block = simulation.voices()[i]->microphones().collect();
     const std::size_t count = config_.microphones.size();
@@ -273,6 +278,7 @@ void RunOutput::flush(Simulation& simulation) {
   history_->flush();
   for (auto& series : microphones_) series->flush();
   for (auto& series : kymograms_) series->flush();
+  if (surface_microphones_) surface_microphones_->flush();
 }
 
 }  // namespace vocalis::coupling

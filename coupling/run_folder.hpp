@@ -36,6 +36,7 @@ class RunOutput {
   const Scene& scene_;
   std::unique_ptr<io::SeriesWriter> history_;
   std::vector<std::unique_ptr<io::SeriesWriter>> microphones_;
+  std::unique_ptr<io::SeriesWriter> surface_microphones_;     ///< none without such microphones
   std::vector<std::unique_ptr<io::SeriesWriter>> kymograms_;  ///< of each glottis
   std::unique_ptr<io::FieldsWriter> fields_;
   fem::Space parent_space_;  ///< this and what follows: for the fields

@@ -23,6 +23,9 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
     }
     history_.emplace(scene, depth, config.contact.has_value());
     history_->restart(solved_->snapshot());
+    if (!config.surface_microphones.empty()) {
+      surface_microphones_ = std::make_unique<SurfaceMicrophones>(scene, config);
+    }
     monitors_ = std::make_unique<Monitors>(*flow_, config.monitors);
     if (config.statistics) check_statistics(*config.statistics, monitors_->columns());
   }
@@ -46,7 +49,8 @@ StepOutcome Simulation::step() {
   const base::Stopwatch watch;
   StepOutcome outcome = flow_ ? step_flow() : StepOutcome{.failure = "", .dt = clock_.dt()};
   if (!outcome.failure.empty()) return outcome;
-  if (flow_ && !voices_.empty()) history_->add(solved_->snapshot());
+  if (flow_ && (!voices_.empty() || surface_microphones_)) history_->add(solved_->snapshot());
+  if (surface_microphones_) step_surfaces();
   step_voices(outcome.dt, outcome);
   if (outcome.failure.empty()) clock_.advance(outcome.dt, outcome.local_error);
   if (contact_) contact_->count_step(watch.seconds());
@@ -99,6 +103,12 @@ bool Simulation::try_flow_step(StepOutcome& outcome) {
   contact_->count_repeated_step();
   clock_.shrink();
   return false;
+}
+
+void Simulation::step_surfaces() {
+  const auto scope = timers_.scope("surfaces");
+  const auto& snapshots = history_->snapshots();
+  surface_microphones_->follow(snapshots[snapshots.size() - 2], snapshots.back());
 }
 
 void Simulation::step_voices(double dt, StepOutcome& outcome) {

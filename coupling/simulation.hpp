@@ -9,6 +9,7 @@
 #include "core/base/timers.hpp"
 #include "coupling/clock.hpp"
 #include "coupling/contact_follower.hpp"
+#include "coupling/far_field/surface_microphones.hpp"
 #include "coupling/flow/flow_history.hpp"
 #include "coupling/flow/solved_flow.hpp"
 #include "coupling/monitors/monitors.hpp"
@@ -48,6 +49,8 @@ class Simulation {
   const ContactFollower* contact() const { return contact_.get(); }
   ContactFollower* contact() { return contact_.get(); }
   std::vector<std::unique_ptr<Voice>>& voices() { return voices_; }
+  /// Null without such microphones.
+  SurfaceMicrophones* surface_microphones() { return surface_microphones_.get(); }
   const std::optional<acoustic::PulseFlux>& source() const { return source_; }
   /// The flow's last snapshots; none without a flow.
   const std::optional<FlowHistory>& history() const { return history_; }
@@ -67,6 +70,7 @@ class Simulation {
   void begin_contact();
   StepOutcome step_flow();
   bool try_flow_step(StepOutcome& outcome);
+  void step_surfaces();
   void step_voices(double dt, StepOutcome& outcome);
   const Voice* voice_beside(const acoustic::AcousticSettings& settings) const;
 
@@ -77,6 +81,7 @@ class Simulation {
   std::unique_ptr<ContactFollower> contact_;  ///< null where walls cannot touch
   std::optional<SolvedFlow> solved_;
   std::optional<FlowHistory> history_;
+  std::unique_ptr<SurfaceMicrophones> surface_microphones_;  ///< null without such microphones
   std::unique_ptr<Monitors> monitors_;
   std::optional<acoustic::PulseFlux> source_;
   std::vector<std::unique_ptr<Voice>> voices_;

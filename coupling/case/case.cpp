@@ -96,8 +96,9 @@ void check_together(const base::Table& root, const Case& config) {
     throw UserError(root.place("monitor") + " watches a flow", "no [flow]", "leave the monitors out");
   }
   if (!config.microphones.empty() && config.acoustics.empty()) {
-    throw UserError(root.place("microphone") + " needs an acoustic solver", "no [[acoustic]]",
-                    "add an [[acoustic]] table, or leave the microphones out");
+    throw UserError(
+        root.place("microphone") + " needs an acoustic solver", "no [[acoustic]]",
+        "add an [[acoustic]] table, or let them hear a surface of the flow with kind = \"curle\" or \"fwh\"");
   }
 }
 

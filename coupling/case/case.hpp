@@ -12,6 +12,7 @@
 #include "acoustic_solver/settings.hpp"
 #include "contact/contact_search.hpp"
 #include "core/io/geo_parameters.hpp"
+#include "coupling/far_field/surface_microphone_settings.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/statistics.hpp"
 #include "fsi_solver/settings.hpp"
@@ -74,7 +75,8 @@ struct Case {
   fsi::TimeSettings time;                           ///< without a flow only `end` and `step` have a meaning
   std::vector<acoustic::AcousticSettings> acoustics;
   std::optional<SourceSettings> source;
-  std::vector<acoustic::MicrophoneSettings> microphones;
+  std::vector<acoustic::MicrophoneSettings> microphones;       ///< that hear the acoustic solvers
+  std::vector<SurfaceMicrophoneSettings> surface_microphones;  ///< that hear surfaces of the flow
   std::vector<MonitorSettings> monitors;
   std::optional<StatisticsSettings> statistics;  ///< of the monitors' columns; none: those of a voice
   OutputSettings output;

@@ -103,44 +103,4 @@ void reject_duplicates(const base::Table& root, const std::string& what, const s
   }
 }
 
-namespace {
-
-std::vector<acoustic::MirrorPlane> read_mirrors(base::Table& table) {
-  std::vector<acoustic::MirrorPlane> mirrors;
-  if (!table.has("mirror")) return mirrors;
-  const std::vector<std::string> axes = table.texts("mirror");
-  const std::vector<double> positions = table.numbers("mirror_at", axes.size(), axes.size(), "m");
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const std::size_t axis = std::string("xyz").find(axes[i]);
-    if (axes[i].size() != 1 || axis == std::string::npos) {
-      throw UserError(table.place("mirror") + " holds axes", "\"" + axes[i] + "\"", "write x, y or z");
-    }
-    mirrors.push_back({static_cast<int>(axis), positions[i]});
-  }
-  reject_duplicates(table, "mirror", axes);
-  return mirrors;
-}
-
-}  // namespace
-
-void read_microphones(base::Table& root, Case& config) {
-  std::vector<std::string> names;
-  for (base::Table& table : root.tables("microphone")) {
-    acoustic::MicrophoneSettings microphone;
-    microphone.name = read_plain_name(table, "name");
-    microphone.position = read_vector(table, "position", "m", config);
-    using Kind = acoustic::MicrophoneKind;
-    microphone.kind =
-        table.choice_or<Kind>("kind", microphone.kind, {{"mesh", Kind::mesh}, {"far_field", Kind::far_field}});
-    if (microphone.kind == Kind::far_field) {
-      microphone.surface = table.text("surface");
-      config.references.push_back({MeshReference::Kind::group, table.place("surface"), microphone.surface, {}});
-      microphone.mirrors = read_mirrors(table);
-    }
-    names.push_back(microphone.name);
-    config.microphones.push_back(microphone);
-  }
-  reject_duplicates(root, "[[microphone]]", names);
-}
-
 }  // namespace vocalis::coupling
