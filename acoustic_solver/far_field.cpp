@@ -49,6 +49,7 @@ FarField::FarField(const mesh::Mesh& mesh, const std::vector<MicrophoneSettings>
       paths_(microphones.size()) {
   assert(settings.interval > 0);
   check_mirrors(mesh.comm, surface_, microphones);
+  check_closed(mesh.comm, surface_, microphones.front());
   for (const std::int32_t v : surface_.skin) {
     skin_points_.insert(skin_points_.end(), mesh.point(v), mesh.point(v) + 3);
   }

@@ -70,11 +70,13 @@ std::vector<SurfaceImage> images(const std::vector<MirrorPlane>& mirrors) {
 }
 
 void check_mirrors(MPI_Comm comm, const ControlSurface& surface, const std::vector<MicrophoneSettings>& microphones) {
-  const auto& mirrors = microphones.front().mirrors;
-  for (const MirrorPlane& mirror : mirrors) check_sides(comm, surface, mirror, microphones);
+  for (const MirrorPlane& mirror : microphones.front().mirrors) check_sides(comm, surface, mirror, microphones);
+}
+
+void check_closed(MPI_Comm comm, const ControlSurface& surface, const MicrophoneSettings& microphone) {
   std::array<double, 3> sum = {0, 0, 0};
   double whole = 0;
-  for (const SurfaceImage& image : images(mirrors)) {
+  for (const SurfaceImage& image : images(microphone.mirrors)) {
     for (const auto& area : surface.areas) {
       const auto there = image.of_direction(area);
       for (int k = 0; k < 3; ++k) sum[k] += there[k];
@@ -87,7 +89,7 @@ void check_mirrors(MPI_Comm comm, const ControlSurface& surface, const std::vect
   if (opening <= rounding * whole) return;
   throw UserError(
       fmt::format("the surface '{}' of a far-field microphone is closed, or closed by its mirror images",
-                  microphones.front().surface),
+                  microphone.surface),
       fmt::format("an opening of {:.3g} m^2, whose normal is ({:.3g}, {:.3g}, {:.3g})", opening, sum[0] / opening,
                   sum[1] / opening, sum[2] / opening),
       "set mirror and mirror_at to the plane of the baffle (or of symmetry) that the surface ends at, or close it");

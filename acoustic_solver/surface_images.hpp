@@ -21,8 +21,11 @@ struct SurfaceImage {
 /// The surface and its images in the mirrors and their intersections: 1, 2, 4 or 8.
 std::vector<SurfaceImage> images(const std::vector<MirrorPlane>& mirrors);
 
-/// Throws UserError on every rank if the surface passes one of the mirrors, if a microphone is behind one, or if the
-/// surface and its images leave an opening. All microphones have the same surface and mirrors. Collective.
+/// Throws UserError on every rank if the surface passes one of the mirrors, or if a microphone is behind one. All
+/// microphones have the same surface and mirrors. Collective.
 void check_mirrors(MPI_Comm comm, const ControlSurface& surface, const std::vector<MicrophoneSettings>& microphones);
+
+/// Throws UserError on every rank if the surface and its images leave an opening. Collective.
+void check_closed(MPI_Comm comm, const ControlSurface& surface, const MicrophoneSettings& microphone);
 
 }  // namespace vocalis::acoustic

@@ -76,8 +76,8 @@ void check_shape(MPI_Comm comm, const FlowSurface& surface, const SurfaceMicroph
   shape.points = surface.middles();
   shape.areas = surface.areas();
   shape.longest_edge = surface.longest_edge();
-  const bool may_be_open = settings.method == SurfaceMethod::curle && settings.mirrors.empty();
-  if (!may_be_open) acoustic::check_mirrors(comm, shape, {microphone});
+  acoustic::check_mirrors(comm, shape, {microphone});
+  if (settings.method != SurfaceMethod::curle) acoustic::check_closed(comm, shape, microphone);
   if (look.opening > closed) return;
   if (look.volume < 0) {
     throw UserError(fmt::format("the surface of microphone '{}' is around what makes the sound", settings.name),

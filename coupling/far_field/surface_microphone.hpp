@@ -27,7 +27,7 @@ class SurfaceMicrophone {
   };
 
   /// The mesh is the flow's at rest, and must outlive this. Throws UserError: what `FlowSurface` does not take; an open
-  /// surface (only Curle's may be open, without mirrors); one that passes a mirror, or is around the whole flow; a
+  /// surface (only Curle's may be open); one that passes a mirror, or is around the whole flow; a
   /// microphone inside of it, behind a mirror, or too near. Collective.
   ///
   /// cell_is_fluid  (local cells, ghosts too)

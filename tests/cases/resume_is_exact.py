@@ -10,7 +10,8 @@ import numpy
 
 from program import HERE, main, read_series, read_summary
 
-SERIES = ("history.csv", "microphones.csv", "microphones_damped.csv", "kymogram_glottis.csv")
+SERIES = ("history.csv", "microphones.csv", "microphones_damped.csv", "microphones_of_surfaces.csv",
+          "kymogram_glottis.csv")
 # Steps before each stop: after the first step, before, at and after a scheduled checkpoint (every 5 steps), and twice.
 STOPS = {1: ((1,), (4,), (5,), (6,), (6, 6)), 2: ((1,), (6,))}
 # So few iterations that steps are rejected, halved and grow again.
