@@ -144,6 +144,17 @@ void add_formants(const std::vector<acoustic::Formant>& formants, const std::str
   }
 }
 
+/// The name of the first microphone at a place: others there are compared with it.
+std::string first_at(const Case& config, const std::array<double, 3>& position) {
+  for (const auto& microphone : config.microphones) {
+    if (microphone.position == position) return microphone.name;
+  }
+  for (const auto& microphone : config.surface_microphones) {
+    if (microphone.position == position) return microphone.name;
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<Channel> channels(const Case& config) {
@@ -156,7 +167,9 @@ std::vector<Channel> channels(const Case& config) {
     }
   }
   for (const SurfaceMicrophoneSettings& microphone : config.surface_microphones) {
-    result.push_back({microphone.name, "pressure_Pa." + microphone.name, "", surface_microphones_file(config)});
+    const std::string method = microphone.method == SurfaceMethod::curle ? " (curle)" : " (fwh)";
+    result.push_back({microphone.name, "pressure_Pa." + microphone.name, microphone.name + method,
+                      first_at(config, microphone.position), surface_microphones_file(config)});
   }
   return result;
 }

@@ -12,11 +12,11 @@ namespace vocalis::coupling {
 /// One microphone, of one acoustic solver or of a surface of the flow: its column in microphones.csv and the suffix of
 /// its results.
 struct Channel {
-  std::string suffix;  ///< "mouth", or "lighthill.mouth" where a case has several solvers
-  std::string column;  ///< "pressure_Pa.mouth"
-  std::string solver;  ///< empty: of a surface
-  std::string microphone;
-  std::string file;  ///< of the run folder: microphones.csv, or microphones_NAME.csv of a later solver
+  std::string suffix;      ///< "mouth", or "lighthill.mouth" where a case has several solvers
+  std::string column;      ///< "pressure_Pa.mouth"
+  std::string solver;      ///< or "NAME (curle)", "NAME (fwh)" of a microphone that hears a surface
+  std::string microphone;  ///< the first one at the same place, for one that hears a surface
+  std::string file;        ///< of the run folder: microphones.csv, or microphones_NAME.csv of a later solver
 };
 
 /// A microphone and what it heard.

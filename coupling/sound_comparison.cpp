@@ -29,11 +29,12 @@ SoundComparison compare(const std::vector<const ChannelSound*>& sounds) {
   for (const ChannelSound* sound : sounds) {
     result.solvers.push_back(sound->channel.solver);
     if (sound == sounds.front()) continue;
-    // All microphones were recorded for the same time, so they have the same bands.
+    // All microphones were recorded for the same time but for a step, so they have the same bands.
     const auto bands = acoustic::third_octaves(sound->analysis.power);
     result.rows[0].difference.push_back(above(sound->analysis.level, first.level));
     for (std::size_t i = 1; i < result.rows.size(); ++i) {
-      result.rows[i].difference.push_back(above(bands[i - 1].level, result.rows[i].level));
+      const double level = i <= bands.size() ? bands[i - 1].level : silence;
+      result.rows[i].difference.push_back(above(level, result.rows[i].level));
     }
   }
   return result;
