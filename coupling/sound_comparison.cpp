@@ -43,7 +43,8 @@ SoundComparison compare(const std::vector<const ChannelSound*>& sounds) {
 /// A number in a field of a solver's column, or a dash where there is none.
 std::string field(double value, std::size_t width, bool with_sign) {
   if (!std::isfinite(value) || value <= silence) return fmt::format("{:>{}}", "-", width);
-  return with_sign ? fmt::format("{:>+{}.1f}", value, width) : fmt::format("{:>{}.1f}", value, width);
+  const double shown = std::round(10 * value) / 10 + 0.0;  // no zero below zero
+  return with_sign ? fmt::format("{:>+{}.1f}", shown, width) : fmt::format("{:>{}.1f}", shown, width);
 }
 
 }  // namespace
@@ -85,7 +86,9 @@ void print_comparisons(base::Log& log, const std::vector<SoundComparison>& compa
 void write_third_octaves(const std::string& path, const Case& config, const std::vector<ChannelSound>& sounds) {
   std::ofstream file(path);
   file << "# case: " << config.name
-       << "\n# level: of a third of an octave by its nominal frequency (IEC 61260-1), dB re 20e-6 Pa\nband_Hz";
+       << "\n# level: of a third of an octave by its nominal frequency (IEC 61260-1), dB re 20e-6 Pa\n# solvers: ";
+  for (std::size_t i = 0; i < config.acoustics.size(); ++i) file << (i > 0 ? ", " : "") << config.acoustics[i].name;
+  file << "\nband_Hz";
   std::vector<std::vector<acoustic::BandLevel>> columns;
   for (const ChannelSound& sound : sounds) {
     file << ",level_dB." << sound.channel.suffix;

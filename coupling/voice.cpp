@@ -220,6 +220,7 @@ void Voice::drop_caches() {
 }
 
 acoustic::AdvanceReport Voice::drive(double dt, const std::function<double(double)>& flux) {
+  const auto scope = timers_.scope("acoustic");
   return solver_.advance(dt, {}, {.begin = nullptr, .end = nullptr, .flux = flux},
                          [this](double time) { microphones_.sample(time, solver_.state().p); });
 }

@@ -65,7 +65,7 @@ def sections(run, folder):
 def compared(run, folder):
     """Several solvers over each other, where a run has them: the picture, then a table for each microphone."""
     solvers = voices.names(run)
-    if len(solvers) < 2 or run.spectra is None or run.third_octaves is None:
+    if len(solvers) < 2 or run.spectra is None:
         return ""
     path = attempt(run, "voices", lambda: voices.overlay(run.spectra, run.third_octaves, solvers, folder))
     caption = f"Acoustic solvers over each other; differences from {solvers[0]} by thirds of an octave."

@@ -10,9 +10,8 @@ SILENCE = -200  # [dB] what is not above it is no sound
 
 
 def names(run):
-    """The acoustic solvers of a case, in its order."""
-    tables = run.resolved.get("acoustic", [])
-    return [table.get("name") for table in tables if isinstance(table, dict)] if isinstance(tables, list) else []
+    """The acoustic solvers of a run, in the order of its case."""
+    return run.third_octaves.notes.get("solvers", "").split(", ") if run.third_octaves else []
 
 
 def by_microphone(table, prefix, solvers):
@@ -45,19 +44,21 @@ def overlay(spectra, bands, solvers, folder, highest=6000.0):
     for row, microphone in enumerate(microphones):
         above, below = axes[2 * row, 0], axes[2 * row + 1, 0]
         top = -numpy.inf
+        first = next(iter(levels[microphone]))
         for solver, values in densities[microphone].items():
-            above.plot(frequency[shown] / 1000, values[shown], linewidth=0.9, color=colours[solver], label=solver)
+            above.plot(frequency[shown] / 1000, values[shown], linewidth=2.4 if solver == first else 0.9,
+                       color=colours[solver], label=solver)
             top = max(top, numpy.nanmax(values[shown], initial=-numpy.inf))
         above.set_ylim(max(top - 90, above.get_ylim()[0]), top + 5)
         above.set_title(f"microphone {microphone}", loc="left")
         above.set_ylabel("level [dB re 20 µPa/√Hz]")
         above.legend(loc="upper right", frameon=False, ncol=min(4, len(solvers)))
-        first = next(iter(levels[microphone]))
-        edges = bands.columns["band_Hz"] / 1000
+        middles = bands.columns["band_Hz"] / 1000
         for solver, values in differences(levels[microphone]).items():
-            below.plot(edges, values, marker="o", markersize=3, color=colours[solver])
+            below.plot(middles, values, marker="o", markersize=3, color=colours[solver])
         below.axhline(0, color=colours[first], linewidth=0.9)
-        below.set_ylabel(f"above {first} [dB]")
+        below.set_ylabel("difference [dB]")
+        below.set_title(f"above {first}, by thirds of an octave", loc="left")
         for axis in (above, below):
             axis.grid(True)
     axes[-1, 0].set_xlabel("frequency [kHz]")
@@ -70,13 +71,15 @@ def rows(bands, results, solvers):
     tables = {}
     for microphone, levels in by_microphone(bands, "level_dB", solvers).items():
         there = list(levels)
-        whole = {solver: numpy.array([results.get(f"SPL_dB.{solver}.{microphone}", SILENCE)], float) for solver in there}
+        found = [("all", {solver: numpy.array([results.get(f"SPL_dB.{solver}.{microphone}", SILENCE)], float)
+                          for solver in there})]
+        for i, band in enumerate(bands.columns["band_Hz"]):
+            found.append((f"{band:.0f} Hz", {solver: levels[solver][i:i + 1] for solver in there}))
         lines = []
-        for name, values in [("all", whole)] + [(f"{band:.0f} Hz", {solver: levels[solver][i:i + 1] for solver in there})
-                                                for i, band in enumerate(bands.columns["band_Hz"])]:
+        for name, values in found:
             level = values[there[0]][0]
             lines.append([name, f"{level:.1f}" if level > SILENCE else "–"] +
-                         [f"{value[0]:+.1f}" if numpy.isfinite(value[0]) else "–"
+                         [f"{round(value[0], 1) + 0.0:+.1f}" if numpy.isfinite(value[0]) else "–"
                           for value in differences(values).values()])
         head = ["band", f"{html.escape(there[0])} [dB re 20 µPa]"] + [f"{html.escape(other)} [dB above it]"
                                                                      for other in there[1:]]

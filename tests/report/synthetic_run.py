@@ -160,15 +160,13 @@ def voices(folder):
     silent."""
     voice(folder)
     solvers = {"rate": 0.0, "pcwe": 3.0, "none": -400.0}
-    tables = "".join(f'[[acoustic]]\nname = "{name}"\n' for name in solvers)
-    (folder / "resolved.toml").write_text(RESOLVED + tables, encoding="utf-8")
     frequency = numpy.arange(0, 10000, 10.0)
     level = 60 - 20 * numpy.log10(1 + ((frequency - 500) / 100) ** 2)
     write_columns(folder / "spectra.csv", {}, {
         "frequency_Hz": frequency,
         **{f"psd_dB.{name}.mouth": numpy.maximum(level + more, -300) for name, more in solvers.items()}})
     bands = numpy.array([250.0, 500, 1000])
-    write_columns(folder / "third_octaves.csv", {}, {
+    write_columns(folder / "third_octaves.csv", {"solvers": ", ".join(solvers)}, {
         "band_Hz": bands, **{f"level_dB.{name}.mouth": numpy.maximum(70 - bands / 100 + more, -300)
                              for name, more in solvers.items()}})
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
