@@ -117,9 +117,9 @@ IntegratorChoice AcousticSolver::choice(double dt, bool moves, bool flows) const
   return choose_integrator(settings_, discretisation_->mesh->dimension, {moves, flows}, dt, stable_step);
 }
 
-void AcousticSolver::settle_released() {
+void AcousticSolver::settle_released(std::span<const double> values) {
   const WaveOperator& wave = discretisation_->wave;
-  for (const std::int32_t v : wave.released()) state_.p[v] = 0;
+  for (const std::int32_t v : wave.released()) state_.p[v] = values.empty() ? 0 : values[v];
   if (wave.has_inlets()) {
     std::vector<double> rates;
     wave.potential_convection(state_.psi, state_.p, rates,
@@ -187,7 +187,7 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   const int count = count_sub_steps(dt, settings_.step);
   const double start = state_.time;
   const bool flows = here.wave.flows();
-  settle_released();
+  settle_released(source.released);
   const bool is_explicit = choice(dt, moves, flows).integrator == Integrator::leap_frog;
   int parts = 1;
   if (is_explicit) {

@@ -24,8 +24,10 @@ struct Motion {
 
 /// The right-hand side (Q, q) + <g, q>.
 struct Source {
-  const fem::Load* begin = nullptr;    ///< at the beginning of the advance, summed to the owners [m^3/s;
-  const fem::Load* end = nullptr;      ///< m^2/s in two dimensions]; linear in between. Both or none.
+  const fem::Load* begin = nullptr;  ///< at the beginning of the advance, summed to the owners [m^3/s;
+  const fem::Load* end = nullptr;    ///< m^2/s in two dimensions]; linear in between. Both or none.
+  std::span<const double> released =
+      {};                              ///< (vertices) p [Pa] during the advance where boundaries release it; empty: 0
   std::function<double(double)> flux;  ///< g(t) [m/s] into the air through the boundaries of kind `flux`
 };
 
@@ -86,8 +88,8 @@ class AcousticSolver {
   AcousticSolver(const AcousticSettings& settings, std::shared_ptr<Discretisation> discretisation);
   /// Sets the velocities, and where the mesh stands still the geometry; returns whether it moves.
   bool place(double dt, const Motion& motion);
-  /// Sets p of released vertices to what the flow makes it, or 0.
-  void settle_released();
+  /// Sets p of released vertices to what the flow or the source makes it, or 0.
+  void settle_released(std::span<const double> values);
   /// The explicit integrator's [s], on the way of the motion.
   double stable_step(bool moves, const std::function<void(double)>& place_at);
 

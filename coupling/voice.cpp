@@ -133,6 +133,14 @@ Voice::Drive Voice::carry(const FlowView& flow, const fem::Field& displacement_b
     drive.head_begin = at_vertices(head_begin, 1);
     drive.head_end = at_vertices(head_end, 1);
   }
+  if (analogy_->unknown() != Unknown::acoustic_pressure) {
+    const double factor = fade(0.5 * (flow.time_begin + flow.time_end)) / (flow.time_end - flow.time_begin);
+    drive.released = drive.flow_end;
+    for (std::size_t v = 0; v < drive.released.size(); ++v) {
+      if (!drive.head_end.empty()) drive.released[v] += drive.head_end[v] - drive.head_begin[v];
+      drive.released[v] = factor * (drive.released[v] - drive.flow_begin[v]);
+    }
+  }
   if (!convection.empty()) {
     fem::Field flow_velocity(*flow.space, scene_.parent.dimension), here(solver_.space(), scene_.parent.dimension);
     flow_velocity.values = std::move(convection);
@@ -175,7 +183,8 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
     microphones_.sample(time, sound_.empty() ? solver_.state().p : sound_, &heard);
   };
   const acoustic::Motion motion = {.begin = drive.from, .end = drive.to, .convection = drive.convection};
-  const auto report = solver_.advance(dt, motion, {.begin = &drive.begin, .end = &drive.end, .flux = {}}, listen);
+  const acoustic::Source source = {.begin = &drive.begin, .end = &drive.end, .released = drive.released, .flux = {}};
+  const auto report = solver_.advance(dt, motion, source, listen);
   mesh.coordinates = drive.to;
   return report;
 }

@@ -88,6 +88,7 @@ class Voice {
   struct Drive {
     fem::Load begin, end;
     std::vector<double> from, to;              ///< coordinates of the air's vertices [m]
+    std::vector<double> released;              ///< (vertices) ∂t p of the flow [Pa/s], where p is what the flow's is
     std::vector<double> convection;            ///< (vertices, d) U [m/s]; empty: none
     std::vector<double> flow_begin, flow_end;  ///< (vertices) p_ic [Pa]
     std::vector<double> head_begin, head_end;  ///< (vertices) what is no pressure in the unknown [Pa]; empty: nothing

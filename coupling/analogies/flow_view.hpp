@@ -21,15 +21,21 @@ struct FlowView {
   std::vector<double> mesh_velocity;                 ///< (vertices, d) β [m/s]
   std::vector<double> pressure_begin, pressure_end;  ///< (vertices) p_ic [Pa], meant at vertices of fluid cells only
   std::vector<double> velocity_begin, velocity_end;  ///< (vertices, d) u_ic [m/s]
+  std::vector<double> edges_begin, edges_end;        ///< (edges, d) u_ic in the middles of edges; empty: linear
   std::vector<double> pressure_rate_begin, pressure_rate_end;  ///< (vertices) ∂t p|χ [Pa/s]; both empty: the difference
                                                                ///< of the pressures over dt, throughout
 };
 
-/// u_ic half-way through the step, (vertices, d) [m/s].
-inline std::vector<double> middle_velocity(const FlowView& flow) {
-  std::vector<double> result = flow.velocity_begin;
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = 0.5 * (result[i] + flow.velocity_end[i]);
+inline std::vector<double> mean_of(const std::vector<double>& begin, const std::vector<double>& end) {
+  std::vector<double> result = begin;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = 0.5 * (result[i] + end[i]);
   return result;
 }
+
+/// u_ic half-way through the step, (vertices, d) and (edges, d) [m/s].
+inline std::vector<double> middle_velocity(const FlowView& flow) {
+  return mean_of(flow.velocity_begin, flow.velocity_end);
+}
+inline std::vector<double> middle_of_edges(const FlowView& flow) { return mean_of(flow.edges_begin, flow.edges_end); }
 
 }  // namespace vocalis::coupling

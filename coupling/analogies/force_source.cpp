@@ -8,8 +8,9 @@ namespace {
 
 template <int Dimension>
 void add_momentum(const FlowView& flow, const AnalogyMedium& medium, CarriedMomentum which,
-                  const std::vector<double>& velocity, fem::Load& load) {
+                  const std::vector<double>& velocity, const std::vector<double>& of_edges, fem::Load& load) {
   const mesh::Mesh& mesh = *flow.space->mesh;
+  const auto edges = mesh::edges_of_cell(Dimension);
   const double of_head = which == CarriedMomentum::lamb ? 0.5 : 0;
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     if (!flow.cell_is_fluid[cell]) continue;
@@ -17,15 +18,25 @@ void add_momentum(const FlowView& flow, const AnalogyMedium& medium, CarriedMome
     if (has_silent_vertex(flow, vertices)) continue;
     const auto geometry = geometry_of_cell<Dimension>(flow, vertices);
     std::array<double, Dimension> carried = {};
-    for (int i = 0; i <= Dimension; ++i) {
-      const double* u = velocity.data() + static_cast<std::size_t>(vertices[i]) * Dimension;
+    const auto add = [&](const double* u, const std::array<double, Dimension>& slope, double weight) {
       double along = 0, square = 0;
-      for (int k = 0; k < Dimension; ++k) along += u[k] * geometry.gradient[i][k];
+      for (int k = 0; k < Dimension; ++k) along += u[k] * slope[k];
       for (int k = 0; k < Dimension; ++k) square += u[k] * u[k];
-      const double weight = medium.window.empty() ? 1 : medium.window[vertices[i]];
-      for (int k = 0; k < Dimension; ++k) {
-        carried[k] += weight * (u[k] * along - of_head * square * geometry.gradient[i][k]);
-      }
+      for (int k = 0; k < Dimension; ++k) carried[k] += weight * (u[k] * along - of_head * square * slope[k]);
+    };
+    const auto window = [&](std::int32_t v) { return medium.window.empty() ? 1 : medium.window[v]; };
+    // Means over the cell of the gradients of the basis: of P1, or of P2 with what edges have.
+    const double of_vertex = of_edges.empty() ? 1 : 4.0 / (Dimension + 1) - 1, of_edge = 4.0 / (Dimension + 1);
+    for (int i = 0; i <= Dimension; ++i) {
+      const std::size_t at = static_cast<std::size_t>(vertices[i]) * Dimension;
+      add(velocity.data() + at, geometry.gradient[i], of_vertex * window(vertices[i]));
+    }
+    for (std::size_t e = 0; !of_edges.empty() && e < edges.size(); ++e) {
+      const auto [a, b] = edges[e];
+      std::array<double, Dimension> slope;
+      for (int k = 0; k < Dimension; ++k) slope[k] = geometry.gradient[a][k] + geometry.gradient[b][k];
+      const std::size_t at = static_cast<std::size_t>(mesh.cell_edges[cell * edges.size() + e]) * Dimension;
+      add(of_edges.data() + at, slope, of_edge * 0.5 * (window(vertices[a]) + window(vertices[b])));
     }
     for (int i = 0; i <= Dimension; ++i) {
       double product = 0;
@@ -87,11 +98,11 @@ void add_acceleration(const FlowView& flow, fem::Load& load) {
 }  // namespace
 
 void add_carried_momentum(const FlowView& flow, const AnalogyMedium& medium, CarriedMomentum which,
-                          const std::vector<double>& velocity, fem::Load& load) {
+                          const std::vector<double>& velocity, const std::vector<double>& of_edges, fem::Load& load) {
   if (flow.space->mesh->dimension == 2) {
-    add_momentum<2>(flow, medium, which, velocity, load);
+    add_momentum<2>(flow, medium, which, velocity, of_edges, load);
   } else {
-    add_momentum<3>(flow, medium, which, velocity, load);
+    add_momentum<3>(flow, medium, which, velocity, of_edges, load);
   }
 }
 
@@ -107,8 +118,8 @@ AnalogySource force_source(const FlowView& flow, const AnalogyMedium& medium, Ca
   AnalogySource result = {fem::Load(*flow.space, 1), {}};
   add_wall_acceleration(flow, result.begin);
   result.end = result.begin;
-  add_carried_momentum(flow, medium, which, flow.velocity_begin, result.begin);
-  add_carried_momentum(flow, medium, which, flow.velocity_end, result.end);
+  add_carried_momentum(flow, medium, which, flow.velocity_begin, flow.edges_begin, result.begin);
+  add_carried_momentum(flow, medium, which, flow.velocity_end, flow.edges_end, result.end);
   return result;
 }
 

@@ -17,12 +17,14 @@ enum class CarriedMomentum {
 /// the second by parts of the momentum normal to boundaries of the fluid, at a fixed point: ∂t u = ∂t u|χ - β·∇u. (The
 /// viscous part is left out.) At the outlet into the air momentum goes on, and there is no such term.
 ///
-/// u u is interpolated between its values at the vertices, so that the total force of a region is the flux of momentum
-/// through its rim, to rounding: a low-Mach quadrupole is what is left when such forces cancel.
+/// u u is interpolated between its values at the vertices, and in the middles of edges if they are known, so that the
+/// total force of a region is the flux of momentum through its rim, to rounding: a low-Mach quadrupole is what is left
+/// when such forces cancel.
 ///
 /// velocity  (vertices, d) of the flow at one end of the step [m/s]
+/// of_edges  (edges, d) in their middles; empty: not known
 void add_carried_momentum(const FlowView& flow, const AnalogyMedium& medium, CarriedMomentum which,
-                          const std::vector<double>& velocity, fem::Load& load);
+                          const std::vector<double>& velocity, const std::vector<double>& of_edges, fem::Load& load);
 void add_wall_acceleration(const FlowView& flow, fem::Load& load);
 
 /// Both, at both ends of the step.

@@ -60,6 +60,8 @@ FlowStep FlowHistory::step(PressureDerivative derivative) const {
   view.pressure_end = end.pressure;
   view.velocity_begin = begin.velocity;
   view.velocity_end = end.velocity;
+  view.edges_begin = begin.velocity_of_edges;
+  view.edges_end = end.velocity_of_edges;
   const double dt = view.time_end - view.time_begin;
   view.coordinates_middle = scene_.flow->mesh.coordinates;
   view.mesh_velocity.resize(view.coordinates_middle.size());

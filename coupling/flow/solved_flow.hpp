@@ -18,8 +18,11 @@ class SolvedFlow {
   FlowSnapshot snapshot() const;
 
  private:
+  std::vector<double> velocity_of_edges() const;
+
   const fsi::FsiSolver& flow_;
   std::vector<std::int32_t> vertex_to_pressure_;  ///< dof of the fluid's pressure, or -1
+  std::vector<std::int32_t> edge_to_velocity_;    ///< dof; empty where velocities are linear
 };
 
 }  // namespace vocalis::coupling
