@@ -102,6 +102,7 @@ template <class Snapshot, class Function>
 void for_each_snapshot_array(Snapshot& snapshot, const std::string& name, const Function& function) {
   function(name + ".pressure", snapshot.pressure);
   function(name + ".velocity", snapshot.velocity);
+  function(name + ".velocity_of_edges", snapshot.velocity_of_edges);
   function(name + ".displacement", snapshot.displacement);
   function(name + ".in_contact", snapshot.in_contact);
 }
