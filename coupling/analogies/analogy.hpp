@@ -28,7 +28,8 @@ enum class Unknown {
 struct AnalogyMedium {
   double density = 0;          ///< of the air at rest, ρ [kg/m^3]
   double speed_of_sound = 0;   ///< c [m/s]
-  std::vector<double> window;  ///< (flow vertices) weight of the source, 0 to 1; empty: 1
+  std::vector<double> window;  ///< (flow vertices) weight of the source, 0 to 1: of Q and the outlet's flux, or of u u
+                               ///< before its divergence is taken; empty: 1
 };
 
 /// How an incompressible flow makes sound. One file each; `make_analogy` knows them by name.

@@ -36,7 +36,8 @@ std::vector<double> AcousticPerturbation::head(const FlowView& flow, const std::
   const std::vector<double>& mean = mean_velocity_.mean();
   std::vector<double> result(velocity.size() / d, 0.0);
   for (std::size_t i = 0; i < velocity.size(); ++i) {
-    result[i / d] += medium_.density * mean[i] * (velocity[i] - mean[i]);
+    const double weight = medium_.window.empty() ? 1 : medium_.window[i / d];
+    result[i / d] += weight * medium_.density * mean[i] * (velocity[i] - mean[i]);
   }
   return result;
 }

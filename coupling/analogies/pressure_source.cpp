@@ -49,7 +49,8 @@ void add_volume_source(const FlowView& flow, const AnalogyMedium& medium, std::s
 }
 
 /// ∫ u·n φ_k ds over the outlet, which stands still.
-void add_outlet_flux(const FlowView& flow, const std::vector<double>& velocity, fem::Load& load) {
+void add_outlet_flux(const FlowView& flow, const AnalogyMedium& medium, const std::vector<double>& velocity,
+                     fem::Load& load) {
   const mesh::Mesh& mesh = *flow.space->mesh;
   const int d = mesh.dimension;
   for (const mesh::NamedFacet& facet : flow.outlet) {
@@ -60,6 +61,7 @@ void add_outlet_flux(const FlowView& flow, const std::vector<double>& velocity, 
     double total = 0;
     for (int i = 0; i < d; ++i) {
       for (int k = 0; k < d; ++k) normal_velocity[i] += velocity[corners[i] * d + k] * geometry.normal[k];
+      if (!medium.window.empty()) normal_velocity[i] *= medium.window[corners[i]];
       total += normal_velocity[i];
     }
     const double weight = geometry.measure / (d * (d + 1));
@@ -88,8 +90,8 @@ AnalogySource pressure_source(const FlowView& flow, const AnalogyMedium& medium,
     result.begin = volume_load(flow, medium, velocity, flow.pressure_rate_begin);
     result.end = volume_load(flow, medium, velocity, flow.pressure_rate_end);
   }
-  add_outlet_flux(flow, flow.velocity_begin, result.begin);
-  add_outlet_flux(flow, flow.velocity_end, result.end);
+  add_outlet_flux(flow, medium, flow.velocity_begin, result.begin);
+  add_outlet_flux(flow, medium, flow.velocity_end, result.end);
   return result;
 }
 
