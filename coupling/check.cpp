@@ -53,6 +53,7 @@ int check(MPI_Comm comm, const Command& command) {
     seconds += steps * unknowns * flow_seconds_per_unknown;
     bytes += unknowns * flow_bytes_per_unknown;
   }
+  if (config.given_flow) log.info("#   flow: {} cells, given: nothing to solve", scene->flow->mesh.cells.num_global);
   for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
     const acoustic::AcousticSettings& settings = config.acoustics[i];
     const double unknowns = 2.0 * static_cast<double>(scene->acoustic->mesh.vertices.num_global);

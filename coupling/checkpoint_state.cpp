@@ -230,7 +230,7 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     contact->set_state(state, report_of(numbers("contact.report")));
   }
   if (simulation.history()) {
-    const FlowSnapshot newest = simulation.solved_flow()->snapshot();
+    const FlowSnapshot newest = simulation.flow_now();
     std::deque<FlowSnapshot> snapshots;
     for (const double time : numbers("history.times")) {
       FlowSnapshot& snapshot = snapshots.emplace_back(newest);

@@ -46,13 +46,14 @@ Command parse_command(const std::vector<std::string>& arguments) {
   CLI::App* run = add("run", "compute a case into a run folder", "CASE", "case file, *.toml");
   CLI::App* check = add("check", "read and check a case; nothing is solved", "CASE", "case file, *.toml");
   CLI::App* resume = add("resume", "go on from the last checkpoint", "RUN", "run folder");
+  CLI::App* replay = add("replay", "sound alone, on the flow that a run recorded", "RUN", "run folder");
   CLI::App* spectrum = add("spectrum", "spectra, f0 and formants of a run", "RUN", "run folder");
-  for (CLI::App* sub : {run, check}) {
+  for (CLI::App* sub : {run, check, replay}) {
     sub->add_option("--set", command.overrides, "KEY=VALUE: change one value of the case; may stand several times")
         ->allow_extra_args(false);
-    sub->add_option("--out", out, "run folder (output.directory of the case otherwise)");
+    sub->add_option("--out", out, "run folder (output.directory of the case, or RUN-replay, otherwise)");
   }
-  for (CLI::App* sub : {run, resume}) {
+  for (CLI::App* sub : {run, resume, replay}) {
     sub->add_option("--steps", command.steps, "stop after so many steps; resume goes on")->check(CLI::PositiveNumber);
   }
 
@@ -66,13 +67,15 @@ Command parse_command(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     std::string found;
     for (const std::string& argument : arguments) found += (found.empty() ? "" : " ") + argument;
-    throw base::UserError(
-        std::string("the command cannot be understood: ") + error.what(), found.empty() ? "nothing" : found,
-        "write run CASE [--out DIR] [--set KEY=VALUE]..., check CASE, resume RUN, spectrum RUN, or --help");
+    throw base::UserError(std::string("the command cannot be understood: ") + error.what(),
+                          found.empty() ? "nothing" : found,
+                          "write run CASE [--out DIR] [--set KEY=VALUE]..., check CASE, resume RUN, "
+                          "replay RUN [--out DIR] [--set KEY=VALUE]..., spectrum RUN, or --help");
   }
   if (run->parsed()) command.kind = Command::Kind::run;
   if (check->parsed()) command.kind = Command::Kind::check;
   if (resume->parsed()) command.kind = Command::Kind::resume;
+  if (replay->parsed()) command.kind = Command::Kind::replay;
   if (spectrum->parsed()) command.kind = Command::Kind::spectrum;
   if (!out.empty()) command.overrides.push_back("output.directory=" + as_toml_text(out));
   return command;

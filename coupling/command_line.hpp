@@ -19,11 +19,11 @@ struct Arguments {
 
 /// What the user wants.
 struct Command {
-  enum class Kind { run, check, resume, spectrum, help };
+  enum class Kind { run, check, resume, replay, spectrum, help };
   Kind kind = Kind::help;
-  std::string target;                  ///< the case file of run and check; the run folder of resume and spectrum
+  std::string target;                  ///< the case file of run and check; the run folder of the others
   std::vector<std::string> overrides;  ///< "key=value" in order; `--out DIR` is among them as output.directory
-  long steps = 0;                      ///< run and resume: stop after so many steps; 0: go to the end
+  long steps = 0;                      ///< run, resume and replay: stop after so many steps; 0: go to the end
   std::string text;                    ///< what help prints
 };
 

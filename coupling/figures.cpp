@@ -56,7 +56,7 @@ std::vector<double> uniform_since(const std::vector<double>& series, double begi
 /// When the voice begins: all boundary values have risen, the folds have had 0.3 of the run to forget the start, and
 /// the statistics, where there are any, have begun.
 double begin_of_voice(const Case& config) {
-  double end = config.flow ? 0.3 * config.time.end : 0;
+  double end = config.has_flow() ? 0.3 * config.time.end : 0;
   if (config.flow) {
     for (const fsi::FlowBoundary& boundary : config.flow->boundaries) end = std::max(end, boundary.ramp);
   }
@@ -155,6 +155,21 @@ std::string first_at(const Case& config, const std::array<double, 3>& position) 
   return "";
 }
 
+/// Whose monitors watched the flow: this run's, or those of the run whose flow it replays.
+struct Watched {
+  Case config;
+  std::filesystem::path folder;
+};
+
+std::optional<Watched> watched(const Case& config, const std::string& folder) {
+  if (config.flow) return Watched{config, folder};
+  const auto* record = config.given_flow ? std::get_if<FlowRecord>(&*config.given_flow) : nullptr;
+  if (!record || record->run.empty()) return {};
+  const std::filesystem::path run = record->run;
+  if (!std::filesystem::exists(run / "resolved.toml") || !std::filesystem::exists(run / "history.csv")) return {};
+  return Watched{read_case(MPI_COMM_SELF, (run / "resolved.toml").string(), {}), run};
+}
+
 }  // namespace
 
 std::vector<Channel> channels(const Case& config) {
@@ -182,13 +197,15 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
   const std::filesystem::path run = folder;
   Figures figures;
   std::vector<double> volume_flow;  // through the first monitor of kind flux: what the voice is made of
-  if (config.flow) {
-    const std::string file = (run / "history.csv").string();
+  const std::optional<Watched> flow = watched(config, folder);
+  const double begin = begin_of_voice(flow ? flow->config : config);
+  if (flow) {
+    const std::string file = (flow->folder / "history.csv").string();
     const io::Series history = io::read_series(file);
     column(history, "time_s", file);
-    add_history(config, history, figures);
-    if (!config.statistics) add_phonation(config, history, (run / "periods.csv").string(), figures);
-    volume_flow = first_flux(config, history);
+    add_history(flow->config, history, figures);
+    if (!flow->config.statistics) add_phonation(flow->config, history, (run / "periods.csv").string(), figures);
+    volume_flow = first_flux(flow->config, history);
   }
   const std::vector<Channel> heard = channels(config);
   if (heard.empty()) return figures;
@@ -205,7 +222,7 @@ Figures evaluate_run(const Case& config, const std::string& folder) {
     io::write_wav((run / ("microphone_" + channel.suffix + ".wav")).string(), sound);
     const std::vector<double> source =
         config.source ? from_zero(times, column(recorded, source_column, file)) : volume_flow;
-    SoundAnalysis analysis = analyse_sound(sound, source, analysis_rate, begin_of_voice(config), pitch);
+    SoundAnalysis analysis = analyse_sound(sound, source, analysis_rate, begin, pitch);
     // The first microphone's formants carry the plain names F1_Hz, ...
     add_formants(analysis.formants, figures.sounds.empty() ? "" : "." + channel.suffix, figures);
     if (analysis.pitch) figures.values.try_emplace("f0_Hz", *analysis.pitch);

@@ -21,6 +21,8 @@ int carry_out(const Command& command) {
       return vocalis::coupling::check(MPI_COMM_WORLD, command);
     case Command::Kind::resume:
       return vocalis::coupling::resume(MPI_COMM_WORLD, command);
+    case Command::Kind::replay:
+      return vocalis::coupling::replay(MPI_COMM_WORLD, command);
     case Command::Kind::spectrum:
       return vocalis::coupling::spectrum(MPI_COMM_WORLD, command);
     case Command::Kind::help:

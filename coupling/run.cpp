@@ -35,7 +35,7 @@ RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
   if (scene.flow) {
     facts.cells["flow"] = scene.flow->mesh.cells.num_global;
     facts.imbalance["flow"] = balance(scene.flow->mesh).imbalance();
-    facts.unknowns["flow"] = simulation.flow()->num_unknowns();
+    if (simulation.flow()) facts.unknowns["flow"] = simulation.flow()->num_unknowns();
   }
   if (scene.acoustic) {
     facts.cells["acoustic"] = scene.acoustic->mesh.cells.num_global;
@@ -185,7 +185,7 @@ class Run {
     facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());
     base::on_first_rank(comm_, [&] {
       Figures figures = evaluate_run(config_, folder_);
-      if (simulation_->contact()) add_rebuilds(config_, *simulation_, figures);
+      if (simulation_->history() && simulation_->history()->can_close()) add_rebuilds(config_, *simulation_, figures);
       write_summary((std::filesystem::path(folder_) / "summary.json").string(), config_, facts_, figures);
       print_table(log_, config_, facts_, figures);
     });
@@ -211,6 +211,27 @@ void note_run_folder(MPI_Comm comm, const std::string& folder) {
   if (note && base::rank(comm) == 0) std::ofstream(note) << std::filesystem::absolute(folder).string() << '\n';
 }
 
+/// A record must outlive the run that is made of it. Collective.
+void require_record_elsewhere(MPI_Comm comm, const Case& config) {
+  const auto* record = config.given_flow ? std::get_if<FlowRecord>(&*config.given_flow) : nullptr;
+  if (!record) return;
+  base::on_first_rank(comm, [&] {
+    const std::filesystem::path folder = std::filesystem::path(record->file).parent_path();
+    if (!std::filesystem::exists(config.output.directory)) return;
+    if (!std::filesystem::equivalent(folder, config.output.directory)) return;
+    throw base::UserError("a run must not be written over the record of its flow", config.output.directory,
+                          "choose another folder with --out DIR");
+  });
+}
+
+int run_from_start(MPI_Comm comm, const Case& config, long steps) {
+  require_record_elsewhere(comm, config);
+  prepare_run_folder(comm, config.output.directory);
+  note_run_folder(comm, config.output.directory);
+  write_resolved(comm, config, (std::filesystem::path(config.output.directory) / "resolved.toml").string());
+  return Run(comm, config, false).go(steps);
+}
+
 /// The case of a run folder: its resolved.toml, which names all values, with the folder itself as the place.
 Case case_of_folder(MPI_Comm comm, const std::string& folder) {
   const std::string file = (std::filesystem::path(folder) / "resolved.toml").string();
@@ -222,11 +243,11 @@ Case case_of_folder(MPI_Comm comm, const std::string& folder) {
 }  // namespace
 
 int run(MPI_Comm comm, const Command& command) {
-  const Case config = read_case(comm, command.target, command.overrides);
-  prepare_run_folder(comm, config.output.directory);
-  note_run_folder(comm, config.output.directory);
-  write_resolved(comm, config, (std::filesystem::path(config.output.directory) / "resolved.toml").string());
-  return Run(comm, config, false).go(command.steps);
+  return run_from_start(comm, read_case(comm, command.target, command.overrides), command.steps);
+}
+
+int replay(MPI_Comm comm, const Command& command) {
+  return run_from_start(comm, read_replay(comm, command.target, command.overrides), command.steps);
 }
 
 int resume(MPI_Comm comm, const Command& command) {

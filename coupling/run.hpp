@@ -15,6 +15,9 @@ int run(MPI_Comm comm, const Command& command);
 /// Goes on from the last checkpoint of a run folder, as if the run had never stopped.
 int resume(MPI_Comm comm, const Command& command);
 
+/// Computes the sound of a run folder's recorded flow anew, into a folder of its own.
+int replay(MPI_Comm comm, const Command& command);
+
 /// Evaluates a run folder's microphones again: spectra.csv, .wav and the table of figures.
 int spectrum(MPI_Comm comm, const Command& command);
 

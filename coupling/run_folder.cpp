@@ -11,7 +11,7 @@
 #include "core/mesh/facets.hpp"
 #include "coupling/far_field/surface_series.hpp"
 #include "coupling/figures.hpp"
-#include "fsi_solver/continuum.hpp"
+#include "coupling/flow/recorded_flow.hpp"
 
 namespace vocalis::coupling {
 
@@ -36,7 +36,7 @@ std::vector<std::string> microphone_columns(const Case& config, std::size_t solv
   for (const Channel& channel : channels(config)) {
     if (channel.solver != config.acoustics[solver].name) continue;
     columns.push_back(channel.column);
-    if (!config.flow) continue;
+    if (!config.has_flow()) continue;
     columns.push_back("p_a_Pa." + channel.suffix);
     columns.push_back("p_ic_Pa." + channel.suffix);
   }
@@ -65,7 +65,7 @@ Header microphone_header(const Case& config, std::size_t solver, const std::vect
   Header header = {{"case", config.name},
                    {"solver", settings.name},
                    {"units", "SI: times [s], instantaneous pressures [Pa], positions [m], speeds [m/s]"}};
-  if (config.flow) {
+  if (config.has_flow()) {
     header.emplace_back("pressure_Pa", "p_a + p_ic, the whole deviation from the pressure at rest");
     header.emplace_back("p_a_Pa", meaning_of_sound(settings.analogy.name));
     header.emplace_back("p_ic_Pa", "pressure of the incompressible flow, linear in time over a step of the flow");
@@ -83,7 +83,7 @@ Header microphone_header(const Case& config, std::size_t solver, const std::vect
     const auto& [x, y, z] = microphone.position;
     header.emplace_back("position_m." + microphone.name, fmt::format("{} {} {}", x, y, z));
     header.emplace_back("microphone." + microphone.name, words(microphone));
-    if (!config.flow) continue;
+    if (!config.has_flow()) continue;
     header.emplace_back("p_ic." + microphone.name, in_flow[m] ? "inside of the flow" : "0: outside of the flow");
   }
   return header;
@@ -120,7 +120,7 @@ std::unique_ptr<io::SeriesWriter> open_series(MPI_Comm comm, const std::string& 
 /// Whether a run writes files of this name.
 bool is_of_a_run(const std::string& name) {
   for (const char* known : {"checkpoint.h5", "summary.json", "report.html", "spectra.csv", "harmonics.csv", "fields.h5",
-                            "fields.xdmf", "periods.csv"}) {
+                            "fields.xdmf", "periods.csv", "flow_record.h5"}) {
     if (name == known) return true;
   }
   if (name.starts_with("kymogram_") && name.ends_with(".csv")) return true;
@@ -178,11 +178,22 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
   if (!config.surface_microphones.empty()) {
     surface_microphones_ = open_surface_series(comm, config, folder, clock.time * (1 + 1e-12), goes_on);
   }
+  if (scene.flow) vertex_is_wet_ = mesh::mark_vertices_of_cells(scene.flow->mesh, fluid_cells(scene));
+  if (config.record) {
+    const std::string file = path / "flow_record.h5";
+    const mesh::Mesh& mesh = scene.flow->mesh;
+    record_layout_ = layout_of_flow(mesh.dimension, config.flow && !config.flow->solids.empty(),
+                                    simulation.history()->can_close(), config.record->precision == Precision::single);
+    flow_record_ = std::make_unique<io::RecordWriter>(
+        goes_on ? io::RecordWriter::resume(file, mesh, record_layout_, clock.step + 1)
+                : io::RecordWriter(file, mesh, record_layout_));
+    if (!goes_on) record_flow(simulation);
+  }
   if (config.output.fields_interval > 0) {
     parent_space_ = fem::lagrange(scene.parent, 1);
     if (scene.flow) {
+      flow_space_ = fem::lagrange(scene.flow->mesh, 1);
       flow_to_parent_.emplace(transfer::SharedVertices::to_parent(scene.parent, *scene.flow));
-      vertex_is_wet_ = mesh::mark_vertices_of_cells(scene.flow->mesh, fluid_cells(scene));
     }
     fields_ =
         std::make_unique<io::FieldsWriter>(goes_on ? io::FieldsWriter::resume(comm, folder, scene.parent, clock.step)
@@ -205,6 +216,7 @@ void RunOutput::record(Simulation& simulation, const StepOutcome& outcome) {
   row.insert(row.end(), monitors.begin(), monitors.end());
   history_->write(row);
   if (clock.step % 100 == 0) record_microphones(simulation);
+  if (flow_record_) record_flow(simulation);
   if (is_due(clock.time, outcome.dt, config_.output.kymogram_interval)) record_kymograms(simulation);
   if (fields_ && is_due(clock.time, outcome.dt, config_.output.fields_interval)) write_fields(simulation);
 }
@@ -217,6 +229,10 @@ void RunOutput::record_kymograms(Simulation& simulation) {
     for (const double area : simulation.monitors()->opening(glottis).areas) row.push_back(area / length);
     kymograms_[i]->write(row);
   }
+}
+
+void RunOutput::record_flow(Simulation& simulation) {
+  flow_record_->write(recorded(record_layout_, simulation.history()->snapshots().back(), vertex_is_wet_));
 }
 
 void RunOutput::record_microphones(Simulation& simulation) {
@@ -247,20 +263,24 @@ void RunOutput::write_fields(Simulation& simulation) {
     way.carry(values, fields.emplace_back(parent_space_, values.components), undefined);
     names.push_back(name);
   };
-  if (const fsi::FsiSolver* flow = simulation.flow()) {
-    fem::Field pressure = flow->fluid_pressure();
+  const auto add_flow = [&](const std::string& name, int components, std::vector<double> values) {
+    fem::Field field(flow_space_, components);
+    field.values = std::move(values);
+    add(name, *flow_to_parent_, field);
+  };
+  if (simulation.history()) {
+    const FlowSnapshot& flow = simulation.history()->snapshots().back();
+    std::vector<double> pressure = flow.pressure;
     for (std::size_t v = 0; v < vertex_is_wet_.size(); ++v) {
-      if (!vertex_is_wet_[v]) pressure.values[v] = undefined;
+      if (!vertex_is_wet_[v]) pressure[v] = undefined;
     }
-    add("velocity", *flow_to_parent_, flow->velocity_at_vertices());
-    add("displacement", *flow_to_parent_, flow->displacement_at_vertices());
-    add("pressure", *flow_to_parent_, pressure);
-    if (simulation.contact()) {
-      const std::vector<char>& cells = flow->state().in_contact;
-      const auto marks = mesh::mark_vertices_of_cells(*flow->continuum().mesh, {cells.begin(), cells.end()});
-      fem::Field contact(flow->continuum().vertex_space, 1);
-      std::copy(marks.begin(), marks.end(), contact.values.begin());
-      add("contact", *flow_to_parent_, contact);
+    add_flow("velocity", scene_.parent.dimension, flow.velocity);
+    add_flow("displacement", scene_.parent.dimension, flow.displacement);
+    add_flow("pressure", 1, std::move(pressure));
+    if (simulation.history()->can_close()) {
+      const auto marks =
+          mesh::mark_vertices_of_cells(scene_.flow->mesh, {flow.in_contact.begin(), flow.in_contact.end()});
+      add_flow("contact", 1, {marks.begin(), marks.end()});
     }
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
@@ -279,6 +299,7 @@ void RunOutput::flush(Simulation& simulation) {
   for (auto& series : microphones_) series->flush();
   for (auto& series : kymograms_) series->flush();
   if (surface_microphones_) surface_microphones_->flush();
+  if (flow_record_) flow_record_->flush();
 }
 
 }  // namespace vocalis::coupling

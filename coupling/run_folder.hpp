@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/io/fields_writer.hpp"
+#include "core/io/record_writer.hpp"
 #include "core/io/series_writer.hpp"
 #include "coupling/simulation.hpp"
 
@@ -15,7 +16,7 @@ namespace vocalis::coupling {
 void prepare_run_folder(MPI_Comm comm, const std::string& folder);
 
 /// What a run writes while it goes: history.csv, microphones.csv (microphones_NAME.csv for a second acoustic solver and
-/// more), kymogram_NAME.csv of each glottis and the fields.
+/// more), kymogram_NAME.csv of each glottis, the fields and the record of the flow.
 class RunOutput {
  public:
   /// goes_on  the files of the run so far are cut after the present step, and continued
@@ -31,6 +32,7 @@ class RunOutput {
   void record_microphones(Simulation& simulation);
   void record_kymograms(Simulation& simulation);
   void write_fields(Simulation& simulation);
+  void record_flow(Simulation& simulation);
 
   const Case& config_;
   const Scene& scene_;
@@ -39,9 +41,11 @@ class RunOutput {
   std::unique_ptr<io::SeriesWriter> surface_microphones_;     ///< none without such microphones
   std::vector<std::unique_ptr<io::SeriesWriter>> kymograms_;  ///< of each glottis
   std::unique_ptr<io::FieldsWriter> fields_;
-  fem::Space parent_space_;  ///< this and what follows: for the fields
+  io::RecordLayout record_layout_;
+  std::unique_ptr<io::RecordWriter> flow_record_;
+  fem::Space parent_space_, flow_space_;  ///< P1, for the fields, as the next
   std::optional<transfer::SharedVertices> flow_to_parent_;
-  std::vector<std::int32_t> vertex_is_wet_;  ///< of the flow mesh
+  std::vector<std::int32_t> vertex_is_wet_;  ///< of the flow mesh; for the fields and the record
 };
 
 }  // namespace vocalis::coupling

@@ -29,7 +29,7 @@ std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config) {
                                                    : io::read_mesh(comm, source.file, curved);
   check_case_against_mesh_names(config, whole.dimension, whole.region_names, whole.group_names);
   auto scene = std::make_unique<Scene>();
-  const bool flow = config.flow.has_value();
+  const bool flow = config.has_flow();
   const bool acoustic = !config.acoustics.empty();
   std::vector<std::int32_t> cell_rank;
   if (base::rank(comm) == 0) {

@@ -17,18 +17,14 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
     flow_ = std::make_unique<fsi::FsiSolver>(scene.flow->mesh, *config.flow, config.time);
     if (config.contact) contact_ = std::make_unique<ContactFollower>(*flow_, *config.contact);
     solved_.emplace(scene, *flow_);
-    int depth = snapshots_for(PressureDerivative::step);
-    for (const auto& settings : config.acoustics) {
-      depth = std::max(depth, snapshots_for(settings.analogy.pressure_derivative));
-    }
-    history_.emplace(scene, depth, config.contact.has_value());
-    history_->restart(solved_->snapshot());
-    if (!config.surface_microphones.empty()) {
-      surface_microphones_ = std::make_unique<SurfaceMicrophones>(scene, config);
-    }
     monitors_ = std::make_unique<Monitors>(*flow_, config.monitors);
     if (config.statistics) check_statistics(*config.statistics, monitors_->columns());
   }
+  if (config.given_flow) {
+    given_ = make_given_flow(*config.given_flow, scene);
+    clock_.end = std::min(clock_.end, given_->end());
+  }
+  if (config.has_flow()) begin_flow(config);
   if (config.source) source_.emplace(config.source->pulse);
   for (const acoustic::AcousticSettings& settings : config.acoustics) {
     voices_.push_back(std::make_unique<Voice>(scene, config, settings, voice_beside(settings)));
@@ -45,11 +41,28 @@ const Voice* Simulation::voice_beside(const acoustic::AcousticSettings& settings
   return nullptr;
 }
 
+void Simulation::begin_flow(const Case& config) {
+  int depth = snapshots_for(PressureDerivative::step);
+  for (const auto& settings : config.acoustics) {
+    depth = std::max(depth, snapshots_for(settings.analogy.pressure_derivative));
+  }
+  history_.emplace(scene_, depth, given_ ? given_->can_close() : config.contact.has_value());
+  history_->restart(flow_now());
+  if (!config.surface_microphones.empty()) surface_microphones_ = std::make_unique<SurfaceMicrophones>(scene_, config);
+}
+
+FlowSnapshot Simulation::flow_after(long steps, double time) const {
+  if (!given_) return solved_->snapshot();
+  const auto scope = timers_.scope("given_flow");
+  return given_->snapshot(steps, time);
+}
+
 StepOutcome Simulation::step() {
   const base::Stopwatch watch;
-  StepOutcome outcome = flow_ ? step_flow() : StepOutcome{.failure = "", .dt = clock_.dt()};
+  StepOutcome outcome =
+      flow_ ? step_flow() : StepOutcome{.failure = "", .dt = given_ ? given_->dt(clock_) : clock_.dt()};
   if (!outcome.failure.empty()) return outcome;
-  if (flow_ && (!voices_.empty() || surface_microphones_)) history_->add(solved_->snapshot());
+  if (history_) history_->add(flow_after(clock_.step + 1, clock_.time + outcome.dt));
   if (surface_microphones_) step_surfaces();
   step_voices(outcome.dt, outcome);
   if (outcome.failure.empty()) clock_.advance(outcome.dt, outcome.local_error);

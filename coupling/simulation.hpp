@@ -11,6 +11,7 @@
 #include "coupling/contact_follower.hpp"
 #include "coupling/far_field/surface_microphones.hpp"
 #include "coupling/flow/flow_history.hpp"
+#include "coupling/flow/given_flow.hpp"
 #include "coupling/flow/solved_flow.hpp"
 #include "coupling/monitors/monitors.hpp"
 #include "coupling/scene.hpp"
@@ -30,7 +31,8 @@ struct StepOutcome {
 };
 
 /// All parts of one run, and the step that couples them: the flow moves first, on its own; the air follows it; then
-/// each acoustic solver takes its source from the flow's step and sub-steps to the same time. Coupling is one-way.
+/// each acoustic solver takes its source from the flow's step and sub-steps to the same time. Coupling is one-way. A
+/// flow that is given takes the place of one that is solved.
 class Simulation {
  public:
   /// The scene must outlive the simulation. Throws UserError for what the meshes do not have. Collective.
@@ -44,6 +46,7 @@ class Simulation {
   const Monitors* monitors() const { return monitors_.get(); }
   Monitors* monitors() { return monitors_.get(); }
   std::vector<double> monitor_values() const;
+  /// The flow that is solved; null without one.
   const fsi::FsiSolver* flow() const { return flow_.get(); }
   fsi::FsiSolver* flow() { return flow_.get(); }
   const ContactFollower* contact() const { return contact_.get(); }
@@ -55,7 +58,8 @@ class Simulation {
   /// The flow's last snapshots; none without a flow.
   const std::optional<FlowHistory>& history() const { return history_; }
   std::optional<FlowHistory>& history() { return history_; }
-  const SolvedFlow* solved_flow() const { return solved_ ? &*solved_ : nullptr; }
+  /// The flow at the time of the clock. Collective.
+  FlowSnapshot flow_now() const { return flow_after(clock_.step, clock_.time); }
 
   /// After this the future depends on the states alone, to the last bit: called at every scheduled checkpoint, in runs
   /// that are never stopped, too.
@@ -67,6 +71,8 @@ class Simulation {
   void restart_from_states();
 
  private:
+  void begin_flow(const Case& config);
+  FlowSnapshot flow_after(long steps, double time) const;
   void begin_contact();
   StepOutcome step_flow();
   bool try_flow_step(StepOutcome& outcome);
@@ -80,6 +86,7 @@ class Simulation {
   std::unique_ptr<fsi::FsiSolver> flow_;
   std::unique_ptr<ContactFollower> contact_;  ///< null where walls cannot touch
   std::optional<SolvedFlow> solved_;
+  std::unique_ptr<GivenFlow> given_;  ///< instead of flow_; no more than one of both is there
   std::optional<FlowHistory> history_;
   std::unique_ptr<SurfaceMicrophones> surface_microphones_;  ///< null without such microphones
   std::unique_ptr<Monitors> monitors_;

@@ -73,7 +73,7 @@ void check_together(const base::Table& root, const Case& config) {
   const bool has_fluid = std::any_of(config.regions.begin(), config.regions.end(), is_fluid);
   const auto is_solid = [](const Region& region) { return region.kind == RegionKind::solid; };
   const bool all_solid = std::all_of(config.regions.begin(), config.regions.end(), is_solid);
-  if (config.flow && !has_fluid && !all_solid) {
+  if (config.has_flow() && !has_fluid && !(config.flow && all_solid)) {
     throw UserError(root.place("flow") + " needs a region of fluid", "no [[region]] of kind \"fluid\"",
                     "give one region kind = \"fluid\", or leave [flow] out");
   }
@@ -81,11 +81,11 @@ void check_together(const base::Table& root, const Case& config) {
     throw UserError(root.place("acoustic") + " needs a region of fluid or air", "solid regions only",
                     "give one region kind = \"air\"");
   }
-  if (config.flow && config.source) {
+  if (config.has_flow() && config.source) {
     throw UserError(root.place("source") + " prescribes the sound's source, so there must be no [flow]", "both",
                     "leave out one of [flow] and [source]");
   }
-  if (!config.flow && !config.source) {
+  if (!config.has_flow() && !config.source) {
     throw UserError(config.file + ": something must move the air", "neither [flow] nor [source]",
                     "add [flow], or [source] for acoustics alone");
   }
@@ -93,7 +93,8 @@ void check_together(const base::Table& root, const Case& config) {
     throw UserError(root.place("source") + " needs an acoustic solver", "no [[acoustic]]", "add an [[acoustic]] table");
   }
   if (!config.flow && !config.monitors.empty()) {
-    throw UserError(root.place("monitor") + " watches a flow", "no [flow]", "leave the monitors out");
+    throw UserError(root.place("monitor") + " watches a flow that is solved",
+                    config.given_flow ? "a flow by a formula or a record" : "no [flow]", "leave the monitors out");
   }
   if (!config.microphones.empty() && config.acoustics.empty()) {
     throw UserError(
@@ -105,10 +106,14 @@ void check_together(const base::Table& root, const Case& config) {
 }  // namespace
 
 Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::string>& overrides) {
-  Case config;
-  config.file = file;
   base::TomlNode tree = base::parse_toml(base::read_text(comm, file, "case file"), file);
   for (const std::string& assignment : overrides) base::apply_override(tree, assignment);
+  return read_case_tree(comm, file, std::move(tree));
+}
+
+Case read_case_tree(MPI_Comm comm, const std::string& file, base::TomlNode tree) {
+  Case config;
+  config.file = file;
   base::Table root(tree);
 
   base::Table head = root.table("case");
@@ -117,6 +122,7 @@ Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::st
   read_mesh(comm, root, config);
   read_regions(root, config);
   read_flow(root, config);
+  read_given_flow(comm, root, config);
   read_time(root, config);
   read_contact(root, config);
   read_acoustics(root, config);
@@ -125,6 +131,7 @@ Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::st
   read_monitors(root, config);
   read_statistics(root, config);
   read_output(root, config);
+  read_record(root, config);
   read_expected(root, config);
   root.reject_unknown_keys();
   check_together(root, config);

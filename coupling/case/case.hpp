@@ -13,6 +13,7 @@
 #include "contact/contact_search.hpp"
 #include "core/io/geo_parameters.hpp"
 #include "coupling/far_field/surface_microphone_settings.hpp"
+#include "coupling/flow/given_flow_settings.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/statistics.hpp"
 #include "fsi_solver/settings.hpp"
@@ -25,6 +26,12 @@ enum class RegionKind { fluid, solid, air };
 struct Region {
   std::string name;
   RegionKind kind = RegionKind::fluid;
+};
+
+/// Of the flow, solved or not: for what listens to its surfaces.
+struct Fluid {
+  double density = 0;    ///< ρ [kg/m^3]
+  double viscosity = 0;  ///< µ [Pa s]
 };
 
 struct MeshSettings {
@@ -44,6 +51,13 @@ struct OutputSettings {
   double fields_interval = 0;       ///< [s] of simulated time; 0: no fields
   double kymogram_interval = 1e-4;  ///< [s] of simulated time, for monitors of kind glottis; 0: none
   int checkpoint_steps = 0;         ///< steps between checkpoints; 0: none
+};
+
+enum class Precision { double_, single };
+
+/// The flow is written into flow_record.h5 after every accepted step, for `replay`.
+struct RecordSettings {
+  Precision precision = Precision::double_;
 };
 
 /// What a published or measured source says that a result should be.
@@ -70,7 +84,9 @@ struct Case {
   std::string description;
   MeshSettings mesh;
   std::vector<Region> regions;
-  std::optional<fsi::FlowSettings> flow;
+  std::optional<fsi::FlowSettings> flow;        ///< one that is solved
+  std::optional<GivenFlowSettings> given_flow;  ///< one that is not; no more than one of both is there
+  Fluid fluid;
   std::optional<contact::ContactSettings> contact;  ///< none: walls cannot touch
   fsi::TimeSettings time;                           ///< without a flow only `end` and `step` have a meaning
   std::vector<acoustic::AcousticSettings> acoustics;
@@ -80,7 +96,13 @@ struct Case {
   std::vector<MonitorSettings> monitors;
   std::optional<StatisticsSettings> statistics;  ///< of the monitors' columns; none: those of a voice
   OutputSettings output;
+  std::optional<RecordSettings> record;
   std::map<std::string, ExpectedResult> expected;
+
+  /// Whether a flow makes the sound, solved or not.
+  bool has_flow() const { return flow || given_flow; }
+  /// Whether solids may move: a formula moves none.
+  bool may_move() const { return flow || (given_flow && std::holds_alternative<FlowRecord>(*given_flow)); }
 
   std::vector<MeshReference> references;
   std::string resolved;  ///< the text of resolved.toml
@@ -90,6 +112,11 @@ struct Case {
 /// Collective; every rank gets the same case. Throws UserError on every rank for whatever can be known without the
 /// mesh.
 Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::string>& overrides);
+
+/// The case that replays the flow of a run folder: its resolved.toml with [flow] as a record of it, in a folder of its
+/// own, without what belongs to a flow that is solved. `overrides` may change the sound only. Collective; every rank
+/// gets the same case. Throws UserError on every rank, too, if the run has no flow, or did not record it.
+Case read_replay(MPI_Comm comm, const std::string& run, const std::vector<std::string>& overrides);
 
 /// What only the mesh can tell: that it has the regions and groups that the case names, that the case names all of its
 /// regions, and that points have as many coordinates as the mesh. Throws UserError. Every rank must pass the same

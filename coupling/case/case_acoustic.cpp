@@ -94,7 +94,7 @@ void read_acoustics(base::Table& root, Case& config) {
     if (solver.velocity_elements == Velocity::p1) {
       solver.subscale_constant = table.number_or("subscale_constant", solver.subscale_constant, base::not_negative);
     }
-    if (config.flow) {
+    if (config.has_flow()) {
       solver.contact_cells = table.choice_or<Contact>("contact_cells", solver.contact_cells,
                                                       {{"keep", Contact::keep}, {"strip", Contact::strip}});
     }

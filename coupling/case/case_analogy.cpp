@@ -51,7 +51,7 @@ acoustic::AnalogySettings read_analogy(base::Table& table, const std::string& na
 /// One name, or several.
 std::vector<std::string> read_names(base::Table& table, const Case& config) {
   if (!table.is_array("analogy")) {
-    return {table.text_or("analogy", config.flow ? acoustic::AnalogySettings().name : "none", analogy_names())};
+    return {table.text_or("analogy", config.has_flow() ? acoustic::AnalogySettings().name : "none", analogy_names())};
   }
   std::vector<std::string> names = table.texts("analogy");
   for (const std::string& name : names) {
@@ -68,7 +68,7 @@ std::vector<std::string> read_names(base::Table& table, const Case& config) {
 std::vector<acoustic::AnalogySettings> read_analogies(base::Table& table, const Case& config) {
   std::vector<acoustic::AnalogySettings> analogies;
   for (const std::string& name : read_names(table, config)) {
-    if (!config.flow && name != "none") {
+    if (!config.has_flow() && name != "none") {
       throw UserError(table.place("analogy") + " needs a flow to take the sound from",
                       "\"" + name + "\" without [flow]", "write analogy = \"none\" beside [source]");
     }

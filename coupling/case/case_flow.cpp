@@ -119,19 +119,19 @@ void read_adaptive_step(base::Table& table, fsi::TimeSettings& time) {
 }  // namespace
 
 void read_regions(base::Table& root, Case& config) {
-  const bool has_flow = root.has("flow");
-  if (has_flow) config.flow.emplace();
+  const bool is_solved = root.has("flow") && !is_flow_given(root);
+  if (is_solved) config.flow.emplace();
   std::vector<std::string> names;
   for (base::Table& table : root.tables("region")) {
     Region region;
     region.name = table.text("name");
     region.kind = table.choice<RegionKind>(
         "kind", {{"fluid", RegionKind::fluid}, {"solid", RegionKind::solid}, {"air", RegionKind::air}});
-    // Without a flow a solid is only a hole in the air; its material may stand in the file.
-    const bool has_material = has_flow || table.has("young_modulus");
+    // Where no flow is solved a solid is only a hole in the air; its material may stand in the file.
+    const bool has_material = is_solved || table.has("young_modulus");
     if (region.kind == RegionKind::solid && has_material) {
       const fsi::SolidMaterial material = read_material(table, region.name);
-      if (has_flow) config.flow->solids.push_back(material);
+      if (is_solved) config.flow->solids.push_back(material);
     }
     config.references.push_back({MeshReference::Kind::region, table.place("name"), region.name, {}});
     config.regions.push_back(region);
@@ -150,6 +150,7 @@ void read_flow(base::Table& root, Case& config) {
   fsi::FlowSettings& flow = *config.flow;
   flow.density = table.number_or("density", flow.density, base::positive, "kg/m^3");
   flow.viscosity = table.number_or("viscosity", flow.viscosity, base::positive, "Pa s");
+  config.fluid = {flow.density, flow.viscosity};
   flow.gravity = read_vector_or(table, "gravity", flow.gravity, "m/s^2", config);
   read_discretisation(table, flow);
   flow.newton_tolerance = table.number_or("newton_tolerance", flow.newton_tolerance, base::inside(0, 1));
@@ -169,7 +170,7 @@ void read_time(base::Table& root, Case& config) {
   base::Table table = root.table("time");
   fsi::TimeSettings& time = config.time;
   time.end = table.number("end", base::positive, "s");
-  if (!config.flow && !table.has("dt")) return;  // acoustics alone: the step of the sound is enough
+  if (!config.has_flow() && !table.has("dt")) return;  // acoustics alone: the step of the sound is enough
   time.step = table.number("dt", base::positive, "s");
   if (time.step > time.end) {
     throw UserError(table.place("dt") + " must not be larger than time.end [s]", std::to_string(time.step),

@@ -34,7 +34,7 @@ SurfaceMicrophoneSettings read_surface_microphone(base::Table& table, const std:
   SurfaceMicrophoneSettings microphone;
   microphone.name = name;
   microphone.position = read_vector(table, "position", "m", config);
-  if (!config.flow) {
+  if (!config.has_flow()) {
     throw UserError(table.place("kind") + " of a microphone that hears a surface of the flow needs a flow", "no [flow]",
                     "write kind = \"mesh\" or \"far_field\"");
   }

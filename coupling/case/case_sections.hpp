@@ -9,10 +9,15 @@
 
 namespace vocalis::coupling {
 
+/// Reads a tree, whose root has the tables of a case; `file` is where it came from. Collective.
+Case read_case_tree(MPI_Comm comm, const std::string& file, base::TomlNode tree);
+
 // The sections of a case file, one function each; `read_case` calls them. All throw UserError.
 
 void read_regions(base::Table& root, Case& config);
 void read_flow(base::Table& root, Case& config);
+void read_given_flow(MPI_Comm comm, base::Table& root, Case& config);  ///< collective
+void read_record(base::Table& root, Case& config);                     ///< after the flow
 void read_time(base::Table& root, Case& config);
 void read_contact(base::Table& root, Case& config);  ///< after regions, flow and time
 void read_acoustics(base::Table& root, Case& config);
@@ -22,6 +27,9 @@ void read_source(MPI_Comm comm, base::Table& root, Case& config);  ///< collecti
 void read_microphones(base::Table& root, Case& config);
 void read_monitors(base::Table& root, Case& config);
 void read_statistics(base::Table& root, Case& config);
+
+/// Whether [flow] is a formula or a record instead of settings of a solver.
+bool is_flow_given(base::Table& root);
 
 /// The absolute path of a file that is named relative to the case file; resolved.toml gets it, too. Collective.
 std::string read_file_name(MPI_Comm comm, base::Table& table, const std::string& key, const Case& config);

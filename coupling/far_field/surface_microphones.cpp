@@ -11,7 +11,7 @@ SurfaceMicrophones::SurfaceMicrophones(const Scene& scene, const Case& config) :
   for (const std::int32_t region : mesh.cell_region) {
     cell_is_fluid.push_back(scene.kind_of_region[region] == RegionKind::fluid);
   }
-  const FlowMaterial material = {config.flow->density, config.flow->viscosity};
+  const FlowMaterial material = {config.fluid.density, config.fluid.viscosity};
   for (const SurfaceMicrophoneSettings& settings : config.surface_microphones) {
     microphones_.emplace_back(mesh, cell_is_fluid, material, settings, SoundClock{config.time.step, config.time.end});
   }

@@ -26,7 +26,7 @@ io::SeriesWriter::Header header_of(const Case& config) {
       {"case", config.name},
       {"units", "SI: times [s], instantaneous pressures [Pa], positions [m], speeds [m/s]"},
       {"pressure_Pa", "acoustic pressure, of the forces and masses that a surface of the flow gives off"},
-      {"density_kg_m3", fmt::format("{}", config.flow->density)}};
+      {"density_kg_m3", fmt::format("{}", config.fluid.density)}};
   for (const SurfaceMicrophoneSettings& microphone : config.surface_microphones) {
     const auto& [x, y, z] = microphone.position;
     header.emplace_back("position_m." + microphone.name, fmt::format("{} {} {}", x, y, z));

@@ -42,6 +42,7 @@ class FlowHistory {
   const FlowSnapshot& followed(PressureDerivative derivative) const;
 
   fem::Field displacement(const FlowSnapshot& snapshot) const;
+  bool can_close() const { return can_close_; }
 
   const std::deque<FlowSnapshot>& snapshots() const { return snapshots_; }
   /// Those of a checkpoint, oldest first.

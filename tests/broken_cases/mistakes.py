@@ -35,6 +35,13 @@ def source(name, keys, *words):
     return Mistake(name, "square.toml", [('kind = "gaussian_pulse"', 'kind = "signal"\n' + keys)], list(words))
 
 
+def given(name, keys, *words):
+    """A mistake in a flow that is not solved."""
+    return Mistake(name, "square.toml", [('[source]\nkind = "gaussian_pulse"\ngroup = "inlet"\n', "[flow]\n" + keys + "\n"),
+                                         ('kind = "air"', 'kind = "fluid"'), ("end = 1e-3", "end = 1e-3\ndt = 1e-4")],
+                   list(words))
+
+
 MISTAKES = [
     # The text of the case
     scene("unknown key", "viscosity = ", "viscosty = ", "scene.toml:28", "viscosty", "did you mean \"viscosity\""),
@@ -166,6 +173,21 @@ MISTAKES = [
           "statistics.begin", "time.end"),
     scene("pressure stabilisation of Taylor-Hood", "density = 1.2",
           'elements = "P2P1"\npressure_stabilisation = false\ndensity = 1.2', "flow.pressure_stabilisation", "P1P1"),
+    # A flow that is not solved
+    given("flow by no formula", 'analytic = "vortexpair"', "flow.analytic", 'did you mean "vortex_pair"'),
+    given("vortices of no strength", 'analytic = "vortex_pair"\nradius = 1\ncore_radius = 0.1', "flow.circulation is needed"),
+    given("vortices without a core", 'analytic = "vortex_pair"\ncirculation = 1\nradius = 1\ncore_radius = 0',
+          "flow.core_radius", "positive"),
+    given("formula and record", 'analytic = "uniform"\nrecord = "letter.msh"', "formula", "both"),
+    given("formula with a solver's key", 'analytic = "uniform"\nvelocity = [1, 0]\nviscosity = 1', "flow.viscosity"),
+    given("formula and monitor", 'analytic = "uniform"\nvelocity = [1, 0]\n[[monitor]]\nkind = "energy"', "monitor",
+          "a flow by a formula"),
+    given("record that is not there", 'record = "nowhere.h5"', "flow.record", "nowhere.h5"),
+    given("record that is a letter", 'record = "letter.msh"', "letter.msh", "must be whole"),
+    given("precision of no kind", 'analytic = "uniform"\nvelocity = [1, 0]\n[record]\nprecision = "half"',
+          "record.precision", "double, single"),
+    Mistake("record without a flow", "square.toml", [("[time]", "[record]\n[time]")], ["record", "no [flow]"]),
+    Mistake("replay of a case", "scene.toml", words=["resolved.toml"], command="replay"),
     # The mesh
     scene("missing geometry", '"scene.geo"', '"nowhere.geo"', "mesh.geometry", "nowhere.geo"),
     scene("geometry and mesh", '"scene.geo"', '"scene.geo"\nfile = "two_cells.msh"', "geometry", "file"),
