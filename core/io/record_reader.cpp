@@ -79,9 +79,9 @@ std::vector<double> coordinates_of(hid_t file, const std::string& path, int dime
   return read_dataset<double>(file, "/mesh/coordinates");
 }
 
-/// Where each cell of the mesh stands in the record, by its vertices.
-std::vector<std::int64_t> rows_of_cells(const std::string& path, const std::vector<std::int64_t>& recorded,
-                                        const std::vector<std::int64_t>& cells,
+/// Where each cell (edge) of the mesh stands in the record, by its vertices.
+std::vector<std::int64_t> rows_of_items(const std::string& path, const std::vector<std::int64_t>& recorded,
+                                        const std::vector<std::int64_t>& items,
                                         const std::vector<std::int64_t>& vertex_row, std::size_t corners) {
   std::map<std::vector<std::int64_t>, std::int64_t> known;
   for (std::size_t at = 0; at + corners <= recorded.size(); at += corners) {
@@ -90,12 +90,12 @@ std::vector<std::int64_t> rows_of_cells(const std::string& path, const std::vect
     known[vertices] = static_cast<std::int64_t>(at / corners);
   }
   std::vector<std::int64_t> rows;
-  for (std::size_t at = 0; at < cells.size(); at += corners) {
+  for (std::size_t at = 0; at < items.size(); at += corners) {
     std::vector<std::int64_t> vertices;
-    for (std::size_t i = at; i < at + corners; ++i) vertices.push_back(vertex_row[cells[i]]);
+    for (std::size_t i = at; i < at + corners; ++i) vertices.push_back(vertex_row[items[i]]);
     std::sort(vertices.begin(), vertices.end());
     const auto found = known.find(vertices);
-    if (found == known.end()) throw_other_mesh(path, "other cells");
+    if (found == known.end()) throw_other_mesh(path, corners > 2 ? "other cells" : "other edges");
     rows.push_back(found->second);
   }
   return rows;
@@ -127,7 +127,7 @@ RecordReader::RecordReader(const std::string& path, const mesh::Mesh& mesh, std:
 }
 
 void RecordReader::open(const std::vector<double>& coordinates, const std::vector<RecordLayout::Field>& optional) {
-  file_ = std::make_unique<File>(File{open_record(path_), {}, nullptr, {}, {}});
+  file_ = std::make_unique<File>(File{open_record(path_), {}, nullptr, {}, {}, {}});
   if (H5Aexists(file_->file, "steps") <= 0) throw_incomplete(path_, "no attribute `steps`");
   const std::int64_t steps = read_integers_attribute(file_->file, "steps").at(0);
   if (steps < 2) throw_incomplete(path_, fmt::format("{} steps, two are the least", steps));
@@ -165,9 +165,12 @@ void RecordReader::find_mesh(const std::vector<double>& coordinates) {
     throw_other_mesh(
         path_, fmt::format("{} of {} vertices without one row at their place", missing, file_->vertex_row.size()));
   }
-  if (!has_object(file_->file, "/mesh/cells")) return;
-  file_->cell_row = rows_of_cells(path_, read_dataset<std::int64_t>(file_->file, "/mesh/cells"), order_.cells(),
-                                  file_->vertex_row, d + 1);
+  const auto rows = [&](const char* name, const std::vector<std::int64_t>& items, int corners) {
+    if (!has_object(file_->file, name)) return std::vector<std::int64_t>();
+    return rows_of_items(path_, read_dataset<std::int64_t>(file_->file, name), items, file_->vertex_row, corners);
+  };
+  file_->cell_row = rows("/mesh/cells", order_.cells(), d + 1);
+  file_->edge_row = rows("/mesh/edges", order_.edges(), 2);
 }
 
 void RecordReader::open_fields(std::int64_t steps, const std::vector<RecordLayout::Field>& optional) {
@@ -186,7 +189,8 @@ void RecordReader::open_fields(std::int64_t steps, const std::vector<RecordLayou
   };
   for (const RecordLayout::Field& field : layout_.fields) {
     file_->fields.push_back(Hdf5Rows::open(file_->file, "/" + field.name));
-    std::vector<hsize_t> shape = {vertices};
+    const bool on_edges = field.where == Place::edges;
+    std::vector<hsize_t> shape = {on_edges ? Hdf5Rows::open(file_->file, "/mesh/edges").rows() : vertices};
     if (field.components > 1) shape.push_back(field.components);
     check_shape(file_->fields.back(), "/" + field.name, shape);
   }
@@ -210,6 +214,7 @@ std::vector<double> RecordReader::read(const std::string& field, std::int64_t st
   const std::size_t index = index_of(field);
   assert(index < layout_.fields.size() && step < static_cast<std::int64_t>(times_.size()));
   const int width = layout_.fields[index].components;
+  const Place where = layout_.fields[index].where;
   std::vector<double> all;
   base::on_first_rank(mesh_.comm, [&] {
     const QuietHdf5 quiet;
@@ -219,14 +224,14 @@ std::vector<double> RecordReader::read(const std::string& field, std::int64_t st
     } catch (const Hdf5Error& error) {
       throw_incomplete(path_, fmt::format("step {}: {}", step, error.what()));
     }
-    for (const std::int64_t at : file_->vertex_row) {
+    for (const std::int64_t at : where == Place::edges ? file_->edge_row : file_->vertex_row) {
       all.insert(all.end(), row.begin() + at * width, row.begin() + (at + 1) * width);
     }
     if (std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); })) return;
     throw UserError("the numbers of the flow record " + path_ + " must be finite",
                     fmt::format("/{} of step {} has others", field, step), "mend it");
   });
-  return order_.scatter(all, width);
+  return order_.scatter(all, width, where);
 }
 
 std::vector<char> RecordReader::read_marks(std::int64_t step) const {

@@ -14,7 +14,7 @@ namespace vocalis::io {
 /// are found by their places, so that they may stand in any order, and there may be more than the mesh has.
 class RecordReader {
  public:
-  /// needed, optional  fields at the vertices; those that are optional may be missing in the file
+  /// needed, optional  fields; those that are optional may be missing in the file
   /// The mesh, at rest, must outlive this. Collective. Throws UserError on every rank if the file is missing, no
   /// record, cut off, incomplete, of another version, or of another mesh.
   RecordReader(const std::string& path, const mesh::Mesh& mesh, std::vector<RecordLayout::Field> needed,
@@ -37,7 +37,7 @@ class RecordReader {
     std::vector<Hdf5Rows> fields;  ///< as in the layout
     std::unique_ptr<Hdf5Rows> marks;
     std::vector<std::int64_t> vertex_row;  ///< in the file, of each vertex in input order
-    std::vector<std::int64_t> cell_row;
+    std::vector<std::int64_t> cell_row, edge_row;
     double first_time = 0;
   };
   void open(const std::vector<double>& coordinates, const std::vector<RecordLayout::Field>& optional);

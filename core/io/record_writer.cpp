@@ -88,7 +88,11 @@ void RecordWriter::create(const std::vector<double>& coordinates) {
   Hdf5Rows time = Hdf5Rows::create(file, "/time", H5T_NATIVE_DOUBLE, {});
   file_ = std::make_unique<File>(File{std::move(file), std::move(time), {}, nullptr});
   for (const RecordLayout::Field& field : layout_.fields) {
-    std::vector<hsize_t> shape = {vertices};
+    const bool on_edges = field.where == Place::edges;
+    if (on_edges && !has_object(file_->file, "/mesh/edges")) {
+      write_dataset(file_->file, "/mesh/edges", order_.edges(), {order_.edges().size() / 2, 2});
+    }
+    std::vector<hsize_t> shape = {on_edges ? order_.edges().size() / 2 : vertices};
     if (field.components > 1) shape.push_back(field.components);
     file_->fields.push_back(
         Hdf5Rows::create(file_->file, "/" + field.name, layout_.single ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE, shape));
@@ -127,7 +131,7 @@ void RecordWriter::write(const RecordStep& step) {
   assert(step.fields.size() == layout_.fields.size());
   std::vector<std::vector<double>> gathered;
   for (std::size_t i = 0; i < step.fields.size(); ++i) {
-    gathered.push_back(order_.gather(step.fields[i], layout_.fields[i].components));
+    gathered.push_back(order_.gather(step.fields[i], layout_.fields[i].components, layout_.fields[i].where));
   }
   std::vector<char> marks;
   if (layout_.has_marks) marks = order_.gather_marks(step.marks);
