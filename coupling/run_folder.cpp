@@ -182,8 +182,10 @@ RunOutput::RunOutput(const Case& config, const std::string& folder, const Scene&
   if (config.record) {
     const std::string file = path / "flow_record.h5";
     const mesh::Mesh& mesh = scene.flow->mesh;
-    record_layout_ = layout_of_flow(mesh.dimension, config.flow && !config.flow->solids.empty(),
-                                    simulation.history()->can_close(), config.record->precision == Precision::single);
+    const RecordedParts parts = {.edges = config.flow && config.flow->elements == fsi::Elements::p2p1,
+                                 .displacement = config.flow && !config.flow->solids.empty(),
+                                 .contact = simulation.history()->can_close()};
+    record_layout_ = layout_of_flow(mesh.dimension, parts, config.record->precision == Precision::single);
     flow_record_ = std::make_unique<io::RecordWriter>(
         goes_on ? io::RecordWriter::resume(file, mesh, record_layout_, clock.step + 1)
                 : io::RecordWriter(file, mesh, record_layout_));
@@ -232,7 +234,8 @@ void RunOutput::record_kymograms(Simulation& simulation) {
 }
 
 void RunOutput::record_flow(Simulation& simulation) {
-  flow_record_->write(recorded(record_layout_, simulation.history()->snapshots().back(), vertex_is_wet_));
+  flow_record_->write(
+      recorded(record_layout_, simulation.history()->snapshots().back(), scene_.flow->mesh, vertex_is_wet_));
 }
 
 void RunOutput::record_microphones(Simulation& simulation) {

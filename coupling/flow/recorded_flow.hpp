@@ -21,10 +21,14 @@ class RecordedFlow : public GivenFlow {
   io::RecordReader record_;
 };
 
-/// What a record keeps of a flow: displacement where its mesh moves, contact where it can close.
-io::RecordLayout layout_of_flow(int dimension, bool moves, bool can_close, bool single);
+/// What a record keeps of a flow: velocities of edges where they are known, displacement where its mesh moves, contact
+/// where it can close.
+struct RecordedParts {
+  bool edges = false, displacement = false, contact = false;
+};
+io::RecordLayout layout_of_flow(int dimension, const RecordedParts& parts, bool single);
 /// A snapshot as that layout has it. What vertices without fluid have is no part of the sound, and left at 0.
-io::RecordStep recorded(const io::RecordLayout& layout, const FlowSnapshot& snapshot,
+io::RecordStep recorded(const io::RecordLayout& layout, const FlowSnapshot& snapshot, const mesh::Mesh& mesh,
                         const std::vector<std::int32_t>& vertex_is_wet);
 
 }  // namespace vocalis::coupling

@@ -66,6 +66,13 @@ def contact_and_ranks(program, folder):
         if start(program, ranks, words, "replay", coupled, "--out", again):
             compare(program, coupled, again, tolerance, words)
 
+    # Analogies that take the velocity of quadratic elements, in the middles of edges, too.
+    whole, what = folder / "whole_pressure", "touching, analogies of the whole pressure"
+    analogies = ("--set", "acoustic.contact_cells=keep", "--set", 'acoustic.analogy=["lighthill", "pcwe"]')
+    if start(program, 1, what, "run", case, "--out", whole, "--set", "output.fields_interval=0", *analogies):
+        start(program, 1, what, "replay", coupled, "--out", folder / "whole_replay", *analogies)
+        compare(program, whole, folder / "whole_replay", SAME, what)
+
     stopped = folder / "touching_stopped"
     for arguments in (("run", case, "--out", stopped, *RECORD, "--set", "output.fields_interval=0", "--steps", 17),
                       ("resume", stopped)):
@@ -143,8 +150,8 @@ def of_others(program, folder):
 
 
 def test(program, folder):
-    of_others(program, folder)
     contact_and_ranks(program, folder)
+    of_others(program, folder)
     voices_and_analogies(program, folder)
 
 

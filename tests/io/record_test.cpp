@@ -75,6 +75,28 @@ TEST_CASE("a record gives back what was written, at all vertices and cells") {
   for (const int n : {0, 2, 1}) CHECK(holds(reader, mesh, n));
 }
 
+TEST_CASE("a record keeps what lies in the middles of edges") {
+  const TemporaryFolder folder;
+  const mesh::Mesh mesh = box(GENERATE(std::array<int, 3>{5, 4, 0}, std::array<int, 3>{3, 2, 2}));
+  const std::string path = folder.file("record.h5");
+  RecordStep step{.time = 0, .fields = {{}}, .marks = {}};
+  for (std::int32_t edge = 0; edge < mesh.edges.num_local(); ++edge) {
+    const double *a = mesh.point(mesh.edge_vertices[2 * edge]), *b = mesh.point(mesh.edge_vertices[2 * edge + 1]);
+    for (int k = 0; k < mesh.dimension; ++k) step.fields[0].push_back(a[k] + b[k]);
+  }
+  const RecordLayout::Field field = {"velocity_of_edges", mesh.dimension, Place::edges};
+  {
+    RecordWriter writer(path, mesh, {.fields = {field}, .has_marks = false, .single = false});
+    writer.write(step);
+    step.time = 1;
+    writer.write(step);
+    writer.flush();
+  }
+  const RecordReader reader(path, mesh, {}, {field});
+  REQUIRE_ON_ALL_RANKS(reader.has("velocity_of_edges"));
+  CHECK(reader.read("velocity_of_edges", 1) == step.fields[0]);
+}
+
 TEST_CASE("a record can be read by another number of ranks", "[ranks]") {
   const TemporaryFolder folder;
   const std::string path = folder.file("record.h5");
