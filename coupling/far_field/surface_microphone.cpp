@@ -23,7 +23,6 @@ using fem::Point;
 constexpr int numbers_of_emission = 4;
 constexpr double rounding = 1e-9;    // of an interval
 constexpr double least_angle = 0.5;  // of all directions: so much of them a surface fills from its inside
-constexpr double closed = 1e-6;      // the largest opening of a closed surface, as a part of its area
 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -34,16 +33,13 @@ Point path(const Point& from, const std::array<double, 3>& to) {
 /// What a surface with its images is, seen from a microphone. Sums over all ranks.
 struct Look {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< [m]
-  double directions = 0;  ///< share of all directions that it fills, seen from within: 1 inside, 0 outside if closed
-  double opening = 0;     ///< |∫ n dS| / ∫ dS
+  double directions = 0;  ///< share of all that it fills, 1 inside and 0 outside if closed; < 0: seen from outside
   double volume = 0;      ///< within, if closed [m^3]
 };
 
 Look look_at(MPI_Comm comm, int dimension, const FlowSurface& surface, const std::vector<SurfaceImage>& images,
              const std::array<double, 3>& position) {
   Look look;
-  Point sum = {0, 0, 0};
-  double whole = 0;
   for (const SurfaceImage& image : images) {
     for (std::size_t i = 0; i < surface.size(); ++i) {
       const Point middle = image.of_point(surface.middles()[i]), area = image.of_direction(surface.areas()[i]);
@@ -53,16 +49,12 @@ Look look_at(MPI_Comm comm, int dimension, const FlowSurface& surface, const std
       look.farthest = std::max(look.farthest, r);
       look.directions -= dot(area, way) / std::pow(r, dimension);
       look.volume += dot(area, middle) / dimension;
-      for (int k = 0; k < 3; ++k) sum[k] += area[k];
-      whole += std::sqrt(dot(area, area));
     }
   }
-  for (double& component : sum) component = base::sum(comm, component);
   look.nearest = base::smallest(comm, look.nearest);
   look.farthest = base::largest(comm, look.farthest);
   look.directions = base::sum(comm, look.directions) / (2 * (dimension - 1) * std::numbers::pi);
   look.volume = base::sum(comm, look.volume);
-  look.opening = std::sqrt(dot(sum, sum)) / base::sum(comm, whole);
   return look;
 }
 
@@ -78,13 +70,12 @@ void check_shape(MPI_Comm comm, const FlowSurface& surface, const SurfaceMicroph
   shape.longest_edge = surface.longest_edge();
   acoustic::check_mirrors(comm, shape, {microphone});
   if (settings.method != SurfaceMethod::curle) acoustic::check_closed(comm, shape, microphone);
-  if (look.opening > closed) return;
-  if (look.volume < 0) {
+  if (settings.method != SurfaceMethod::curle && look.volume < 0) {
     throw UserError(fmt::format("the surface of microphone '{}' is around what makes the sound", settings.name),
                     fmt::format("\"{}\" with the flow inside", microphone.surface),
                     "name walls of a body in the flow, or a closed surface inside the flow");
   }
-  if (look.directions < least_angle) return;
+  if (std::abs(look.directions) < least_angle) return;
   throw UserError(fmt::format("microphone '{}' lies outside of the surface that it hears", settings.name), "inside",
                   "move it outwards");
 }

@@ -27,8 +27,8 @@ class SurfaceMicrophone {
   };
 
   /// The mesh is the flow's at rest, and must outlive this. Throws UserError: what `FlowSurface` does not take; an open
-  /// surface (only Curle's may be open); one that passes a mirror, or is around the whole flow; a
-  /// microphone inside of it, behind a mirror, or too near. Collective.
+  /// surface (only Curle's may be open); one that passes a mirror; one of Ffowcs Williams and Hawkings around the whole
+  /// flow; a microphone inside of it, behind a mirror, or too near. Collective.
   ///
   /// cell_is_fluid  (local cells, ghosts too)
   SurfaceMicrophone(const mesh::Mesh& mesh, std::span<const std::int32_t> cell_is_fluid, const FlowMaterial& material,
