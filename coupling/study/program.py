@@ -67,7 +67,7 @@ class Program:
                     return None
                 start = time.perf_counter()
                 process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=words_file,
-                                           stderr=subprocess.STDOUT, env=self._environment(ranks * at_once),
+                                           stderr=subprocess.STDOUT, env=self._environment(ranks, at_once),
                                            process_group=0)  # Ctrl-C comes to us alone
                 self._running[process.pid] = process
             _, status, usage = os.wait4(process.pid, 0)  # mpirun waits for its ranks: their time is in its own
@@ -96,10 +96,11 @@ class Program:
         return [part.replace("{ranks}", str(ranks)) for part in self._template] + arguments
 
     @staticmethod
-    def _environment(processes):
+    def _environment(ranks, at_once=1):
+        """Ranks that wait for each other on too few cores give way; a single one waits for nobody, and would starve."""
         environment = dict(os.environ, VOCALIS_TERMINAL="0")
         environment.pop("VOCALIS_NOTE", None)
-        if processes > (os.cpu_count() or 1):
+        if ranks > 1 and ranks * at_once > (os.cpu_count() or 1):
             environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
         return environment
 
