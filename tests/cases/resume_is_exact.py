@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A run that was stopped or killed, and resumed, leaves the same bytes as one that was not: series and fields. Files with
-wall times in them (summary.json, log.txt, checkpoint.h5) are not compared."""
+"""A run that was stopped or killed, and resumed, leaves the same bytes as one that was not: series and fields, and the same
+numbers in the record of its flow. Files with wall times in them (summary.json, log.txt, checkpoint.h5) are not compared."""
 
 import sys
 import time
@@ -35,6 +35,14 @@ def compare_fields(program, one, other, what):
                 program.expect(same, f"{what}: {group}/{name} differs")
 
 
+def compare_records(program, one, other, what):
+    with h5py.File(one / "flow_record.h5", "r") as a, h5py.File(other / "flow_record.h5", "r") as b:
+        program.expect(a.attrs["steps"] == b.attrs["steps"], f"{what}: {b.attrs['steps']} steps are recorded")
+        for name in set(a) - {"mesh"}:
+            same = name in b and numpy.array_equal(a[name][()], b[name][()])
+            program.expect(same, f"{what}: {name} of flow_record.h5 differs")
+
+
 def first_difference(one, other):
     (columns, a), (_, b) = read_series(one), read_series(other)
     for column, x, y in zip(columns, a, b):
@@ -54,6 +62,8 @@ def compare(program, one, other, what):
             program.expect(False, f"{what}: {name} differs: {first_difference(one / name, other / name)}")
     if (one / "fields.h5").exists():
         compare_fields(program, one, other, what)
+    if (one / "flow_record.h5").exists():
+        compare_records(program, one, other, what)
     a, b = read_summary(one), read_summary(other)
     for key in ("status", "steps", "rejected_steps", "simulated_seconds", "results"):
         program.expect(a[key] == b[key], f"{what}: {key} is {b[key]}, not {a[key]}")
@@ -70,9 +80,9 @@ def stop_and_resume(program, ranks, whole, arguments, stops, folder, what):
     compare(program, whole, folder, what)
 
 
-def kill_and_resume(program, case, ranks, whole, folder, what):
+def kill_and_resume(program, ranks, whole, arguments, folder, what):
     """Kills the run once its checkpoint has been renewed, in the midst of a step."""
-    process = program.start_in_background(ranks, "run", case, "--out", folder)
+    process = program.start_in_background(ranks, *arguments, "--out", folder)
     checkpoint = folder / "checkpoint.h5"
     first = None
     while process.poll() is None:
@@ -90,7 +100,7 @@ def kill_and_resume(program, case, ranks, whole, folder, what):
 
 
 def test(program, folder):
-    run = ("run", HERE / "larynx.toml")
+    run = ("run", HERE / "larynx.toml", "--set", "record.precision=double")
     for ranks, all_stops in STOPS.items():
         whole = folder / f"whole{ranks}"
         if not program.expect_code(0, program.start(ranks, *run, "--out", whole), f"{ranks} ranks"):
@@ -99,8 +109,9 @@ def test(program, folder):
             words = " and ".join(map(str, stops))
             stop_and_resume(program, ranks, whole, run, stops, folder / f"stop{ranks}_{words}",
                             f"stopped after {words} steps on {ranks} ranks")
-        kill_and_resume(program, run[1], ranks, whole, folder / f"kill{ranks}", f"killed on {ranks} ranks")
+        kill_and_resume(program, ranks, whole, run, folder / f"kill{ranks}", f"killed on {ranks} ranks")
 
+    run = run[:2]
     whole, run, what = folder / "rejecting", (*run, *WITH_REJECTIONS), "stopped between rejections"
     program.expect_code(0, program.start(1, *run, "--out", whole), what)
     program.expect(read_summary(whole)["rejected_steps"] > 1, f"{what}: {read_summary(whole)}")
