@@ -14,7 +14,7 @@ namespace vocalis::transfer {
 
 /// How well points fit into a mesh; the same on every rank.
 struct PointsOutside {
-  std::int64_t count = 0;                   ///< of points that no cell contains
+  std::int64_t count = 0;                   ///< of points that no cell contains, on all ranks
   double distance = 0;                      ///< [m] of the furthest, from the mesh
   double cells = 0;                         ///< the largest distance over the longest edge of the nearest cell
   std::array<double, 3> point = {0, 0, 0};  ///< [m] the one with that
@@ -34,12 +34,13 @@ struct PointsOutside {
 /// vertices would get nothing. (ExaDG's MGTwoLevelTransferNonNested does the same.)
 class PointInterpolation {
  public:
-  /// Any rank may have no cells, or no points. Throws UserError on every rank if a point is further outside than the
-  /// longest edge of the nearest cell. Collective.
+  /// A point further outside than the longest edge of the nearest cell has no part in it: it reads 0, and what it
+  /// would give is lost. Any rank may have no cells, or no points. Collective.
   ///
-  /// points  (points of this rank, dimension) [m]
-  /// rule    the words of the message: what must lie inside what
-  PointInterpolation(const mesh::Mesh& mesh, std::span<const double> points, const std::string& rule);
+  /// points       (points of this rank, dimension) [m]
+  /// cell_counts  (owned cells of the mesh) not 0 where the mesh is to be; empty: everywhere
+  PointInterpolation(const mesh::Mesh& mesh, std::span<const double> points,
+                     std::span<const std::int32_t> cell_counts = {});
 
   /// f(x_j) of a P1 field of the mesh, ghosts current: (points, components). Collective.
   void evaluate(const fem::Field& field, std::span<double> at_points) const;
@@ -49,10 +50,15 @@ class PointInterpolation {
   void restrict_to(std::span<const double> at_points, fem::Load& load) const;
 
   const PointsOutside& outside() const { return outside_; }
+  /// Throws UserError if a point has no part in it; `rule` says what must lie inside what.
+  void require_all(const std::string& rule) const;
+  /// (points of this rank) not 0 where the point has a part in it.
+  std::vector<std::int32_t> is_held() const;
 
  private:
   std::vector<HeldPoint> held_;
-  base::Halo halo_;  ///< held points are owned, the points themselves their ghosts
+  std::vector<std::size_t> takers_;  ///< points of this rank that some rank holds
+  base::Halo halo_;                  ///< held points are owned, the takers their ghosts
   std::size_t num_points_;
   PointsOutside outside_;
 };

@@ -27,9 +27,11 @@ double longest_edge(const mesh::Mesh& mesh, std::int32_t cell) {
 }
 
 /// Collective.
-double longest_edge(const mesh::Mesh& mesh) {
+double longest_edge(const mesh::Mesh& mesh, std::span<const std::int32_t> cell_counts) {
   double result = 0;
-  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) result = std::max(result, longest_edge(mesh, cell));
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    if (cell_counts.empty() || cell_counts[cell]) result = std::max(result, longest_edge(mesh, cell));
+  }
   return base::largest(mesh.comm, result);
 }
 
@@ -49,8 +51,11 @@ std::vector<mesh::Box> boxes_of_ranks(MPI_Comm comm, const mesh::Box& mine) {
 /// All that ranks were asked so far, and what they found.
 class Questions {
  public:
-  explicit Questions(const mesh::Mesh& mesh)
-      : mesh_(mesh), tree_(mesh), boxes_(boxes_of_ranks(mesh.comm, tree_.box())), longest_(longest_edge(mesh)) {}
+  Questions(const mesh::Mesh& mesh, std::span<const std::int32_t> cell_counts)
+      : mesh_(mesh),
+        tree_(mesh, cell_counts),
+        boxes_(boxes_of_ranks(mesh.comm, tree_.box())),
+        longest_(longest_edge(mesh, cell_counts)) {}
 
   double longest() const { return longest_; }
 
@@ -132,14 +137,15 @@ std::vector<HeldPoint> keep_taken(MPI_Comm comm, const Questions& questions, std
 
 }  // namespace
 
-PointSearch search_points(const mesh::Mesh& mesh, std::span<const double> points) {
+PointSearch search_points(const mesh::Mesh& mesh, std::span<const double> points,
+                          std::span<const std::int32_t> cell_counts) {
   const std::size_t d = mesh.dimension;
   std::vector<Point> mine(points.size() / d, Point{0, 0, 0});
   for (std::size_t j = 0; j < mine.size(); ++j)
     std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(j * d), d, mine[j].begin());
   PointSearch search;
   search.holders.resize(mine.size());
-  Questions questions(mesh);
+  Questions questions(mesh, cell_counts);
   questions.ask(mine, 0, search.holders);
   questions.ask(mine, questions.longest(), search.holders);
   search.held = keep_taken(mesh.comm, questions, search.holders);

@@ -32,7 +32,9 @@ struct PointSearch {
 /// Ranks tell each other the boxes around their cells and are asked only for points inside, then for those that nobody
 /// had found and that are as near as the longest edge of a cell. Collective.
 ///
-/// points  (points of this rank, dimension) [m]
-PointSearch search_points(const mesh::Mesh& mesh, std::span<const double> points);
+/// points       (points of this rank, dimension) [m]
+/// cell_counts  (owned cells of the mesh) not 0 where a cell is to be found; empty: all are
+PointSearch search_points(const mesh::Mesh& mesh, std::span<const double> points,
+                          std::span<const std::int32_t> cell_counts = {});
 
 }  // namespace vocalis::transfer

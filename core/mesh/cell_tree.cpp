@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vocalis::mesh {
 
@@ -19,15 +18,17 @@ double Box::distance(const std::array<double, 3>& point) const {
   return std::sqrt(square);
 }
 
-CellTree::CellTree(const Mesh& mesh) : mesh_(&mesh), cell_boxes_(mesh.num_cells()), cells_(mesh.num_cells()) {
+CellTree::CellTree(const Mesh& mesh, std::span<const std::int32_t> cell_counts)
+    : mesh_(&mesh), cell_boxes_(mesh.num_cells()) {
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    if (!cell_counts.empty() && !cell_counts[cell]) continue;
+    cells_.push_back(cell);
     for (const std::int32_t vertex : mesh.vertices_of(cell)) {
       std::array<double, 3> point = {0, 0, 0};
       std::copy_n(mesh.point(vertex), mesh.dimension, point.begin());
       cell_boxes_[cell].add(point);
     }
   }
-  std::iota(cells_.begin(), cells_.end(), 0);
   if (cells_.empty()) return;
   const auto count = static_cast<std::int32_t>(cells_.size());
   nodes_.push_back({box_around(0, count), 0, count, -1});

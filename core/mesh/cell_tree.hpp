@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/mesh/closest_point.hpp"
@@ -32,7 +33,8 @@ struct NearestCell {
 /// tree was made; refers to the mesh.
 class CellTree {
  public:
-  explicit CellTree(const Mesh& mesh);
+  /// cell_counts  (owned cells) not 0 where a cell is to be found; empty: all are
+  explicit CellTree(const Mesh& mesh, std::span<const std::int32_t> cell_counts = {});
 
   /// A cell that contains the point, or else the nearest one whose distance is at most `reach` [m].
   NearestCell nearest(const std::array<double, 3>& point, double reach) const;

@@ -20,8 +20,6 @@ using namespace vocalis::transfer;
 
 namespace {
 
-const std::string rule = "points lie in the mesh";
-
 double sum_of(MPI_Comm comm, std::span<const double> values) {
   return base::sum(comm, std::accumulate(values.begin(), values.end(), 0.0));
 }
@@ -109,7 +107,7 @@ TEST_CASE("fields at points and loads of points are each other's transpose on an
     random.discard(base::rank(split.comm));
     const mesh::Mesh mesh = test.distribute(split.comm);
     const Scattered scattered(random, mesh.dimension);
-    const PointInterpolation interpolation(mesh, scattered.points, rule);
+    const PointInterpolation interpolation(mesh, scattered.points);
     const fem::Space space = fem::lagrange(mesh, 1);
     const fem::Field field = two_functions(space);
     std::vector<double> read(scattered.numbers.size());
@@ -154,15 +152,22 @@ TEST_CASE("points outside go to the nearest cell of all ranks, and are refused f
       furthest = std::max(furthest, distance_from(test.whole, mask, scattered.points.data() + j, parent.dimension));
     }
     furthest = base::largest(split.comm, furthest);
+    const PointInterpolation interpolation(some.mesh, scattered.points);
+    const std::vector<std::int32_t> held = interpolation.is_held();
+    const std::int64_t lost = base::sum(split.comm, static_cast<std::int64_t>(std::count(held.begin(), held.end(), 0)));
     try {
-      const PointInterpolation interpolation(some.mesh, scattered.points, rule);
+      interpolation.require_all("points lie in the mesh");
       CHECK(interpolation.outside().distance == Approx(furthest).margin(1e-9));
-      CHECK(interpolation.outside().cells <= 1);
+      CHECK(lost == 0);
       ++taken;
     } catch (const base::UserError&) {
       CHECK(furthest > 0.2);  // shorter than any cell of these meshes
+      CHECK(lost > 0);
       ++refused;
     }
+    // The same by leaving out cells of the whole.
+    const auto counts = mask_of_rank(test, mask, base::rank(split.comm));
+    CHECK(PointInterpolation(parent, scattered.points, counts).outside().distance == interpolation.outside().distance);
   }
   CHECK(base::sum(MPI_COMM_WORLD, refused) > 0);
   CHECK(base::sum(MPI_COMM_WORLD, taken) > 0);
@@ -181,7 +186,7 @@ TEST_CASE("on the same mesh in another partition every vertex gets its own load"
   const auto source = [](double x, double y) { return std::sin(5 * x) + y * y; };
   fem::Load expected = load_of(to_space, source), load(to_space, 1);
   expected.add_to_owners();
-  PointInterpolation(to, from.coordinates, rule).restrict_to(load_of(from_space, source).values, load);
+  PointInterpolation(to, from.coordinates).restrict_to(load_of(from_space, source).values, load);
   for (std::size_t i = 0; i < load.values.size(); ++i)
     CHECK(load.values[i] == Approx(expected.values[i]).margin(1e-15));
 }
@@ -195,7 +200,7 @@ TEST_CASE("integrals of a smooth source against a smooth function converge with 
     const fem::Space flow_space = fem::lagrange(flow, 1), space = fem::lagrange(acoustic, 1);
     const fem::Load given = load_of(flow_space, source);
     fem::Load load(space, 1);
-    const PointInterpolation interpolation(acoustic, flow.coordinates, rule);
+    const PointInterpolation interpolation(acoustic, flow.coordinates);
     interpolation.restrict_to(given.values, load);
     CHECK(interpolation.outside().count == 0);
     CHECK(sum_of(MPI_COMM_WORLD, load.values) == Approx(sum_of(MPI_COMM_WORLD, given.values)).epsilon(1e-14));
@@ -215,8 +220,7 @@ TEST_CASE("the load is the same on any number of ranks") {
   const mesh::Mesh alone = mesh::distribute(MPI_COMM_SELF, coarse);
   const fem::Space flow_alone_space = fem::lagrange(flow_alone, 1), alone_space = fem::lagrange(alone, 1);
   fem::Load expected(alone_space, 1);
-  PointInterpolation(alone, flow_alone.coordinates, rule)
-      .restrict_to(load_of(flow_alone_space, source).values, expected);
+  PointInterpolation(alone, flow_alone.coordinates).restrict_to(load_of(flow_alone_space, source).values, expected);
   std::map<std::int64_t, double> by_input;
   for (std::int32_t v = 0; v < alone.num_vertices(); ++v) by_input[alone.vertex_input[v]] = expected.values[v];
 
@@ -224,7 +228,7 @@ TEST_CASE("the load is the same on any number of ranks") {
   const mesh::Mesh acoustic = mesh::distribute(MPI_COMM_WORLD, mesh::box(MPI_COMM_WORLD, {1, 1, 0}, {6, 7, 0}));
   const fem::Space flow_space = fem::lagrange(flow, 1), space = fem::lagrange(acoustic, 1);
   fem::Load load(space, 1);
-  PointInterpolation(acoustic, flow.coordinates, rule).restrict_to(load_of(flow_space, source).values, load);
+  PointInterpolation(acoustic, flow.coordinates).restrict_to(load_of(flow_space, source).values, load);
   for (std::int32_t v = 0; v < acoustic.vertices.num_owned; ++v) {
     CHECK(load.values[v] == Approx(by_input[acoustic.vertex_input[v]]).epsilon(1e-12));
   }
