@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/mpi.hpp"
+#include "coupling/own_mesh.hpp"
 
 namespace vocalis::coupling {
 
@@ -42,7 +43,46 @@ std::unique_ptr<Air> make_air(Scene& scene, std::span<const char> in_contact) {
   return air;
 }
 
+std::unique_ptr<Air> make_air(Scene& scene, const Case& config, const std::string& name) {
+  const auto own = config.acoustic_meshes.find(name);
+  if (own == config.acoustic_meshes.end()) return make_air(scene, {});
+  auto air = std::make_unique<Air>();
+  air->is_separate = true;
+  air->own = std::make_unique<transfer::StrippedMesh>();
+  air->own->mesh = make_own_mesh(scene.parent.comm, config, name, scene.parent.dimension);
+  air->stripped = air->own.get();
+  air->rest_coordinates = air->mesh().coordinates;
+  air->cell_has_flow.assign(air->mesh().num_cells(), 0);
+  if (!scene.flow) return air;
+  air->bridge = std::make_unique<FlowBridge>(scene, air->mesh(), own->second.flow_ends, name);
+  air->cell_has_flow = air->bridge->cells_in_flow(air->mesh());
+  return air;
+}
+
+void carry(const Air& air, const fem::Load& from, fem::Load& to) {
+  if (air.bridge) {
+    air.bridge->carry(from, to);
+  } else {
+    air.from_flow->carry(from, to);
+  }
+}
+
+std::vector<double> values_of_flow(const Scene& scene, const Air& air, const std::vector<double>& of_flow_vertices,
+                                   int components) {
+  if (air.bridge) return air.bridge->values(of_flow_vertices, components);
+  // A fluid cell is on the same rank in both meshes, so its vertices are, too.
+  std::vector<double> result(static_cast<std::size_t>(air.mesh().num_vertices()) * components, 0.0);
+  if (of_flow_vertices.empty()) return result;
+  for (std::int32_t v = 0; v < air.mesh().num_vertices(); ++v) {
+    const std::int32_t there = scene.flow->parent_to_vertex[air.stripped->vertex_to_parent[v]];
+    if (there < 0) continue;
+    for (int k = 0; k < components; ++k) result[v * components + k] = of_flow_vertices[there * components + k];
+  }
+  return result;
+}
+
 std::vector<double> moved_coordinates(const Air& air, const fem::Space& space, const fem::Field& displacement) {
+  if (air.is_separate) return air.rest_coordinates;
   fem::Field here(space, displacement.components);
   air.from_flow->carry(displacement, here);
   for (std::size_t i = 0; i < here.values.size(); ++i) here.values[i] += air.rest_coordinates[i];

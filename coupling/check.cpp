@@ -56,12 +56,17 @@ int check(MPI_Comm comm, const Command& command) {
   if (config.given_flow) log.info("#   flow: {} cells, given: nothing to solve", scene->flow->mesh.cells.num_global);
   for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
     const acoustic::AcousticSettings& settings = config.acoustics[i];
-    const double unknowns = 2.0 * static_cast<double>(scene->acoustic->mesh.vertices.num_global);
+    const Voice& voice = *simulation.voices()[i];
+    const double unknowns = 2.0 * static_cast<double>(voice.mesh().vertices.num_global);
     const double sub_steps = steps * std::ceil(config.time.step / settings.step - 1e-9);
-    log.info("#   {}: {} cells, {:.0f} unknowns, {:.0f} steps", settings.name, scene->acoustic->mesh.cells.num_global,
-             unknowns, sub_steps);
-    log.info("#     {}", simulation.voices()[i]->integrator_words());
-    say_balance(log, settings.name, scene->acoustic->mesh);
+    log.info("#   {}: {} cells, {:.0f} unknowns, {:.0f} steps", settings.name, voice.mesh().cells.num_global, unknowns,
+             sub_steps);
+    log.info("#     {}", voice.integrator_words());
+    say_balance(log, settings.name, voice.mesh());
+    if (const transfer::PointsOutside* outside = voice.flow_outside(); outside && outside->count > 0) {
+      log.info("#     a mesh of its own: {} vertices of the flow lie outside of it, up to {:.3g} m ({:.2g} of a cell)",
+               outside->count, outside->distance, outside->cells);
+    }
     seconds += sub_steps * unknowns * acoustic_seconds_per_unknown / base::size(comm);
     bytes += unknowns * acoustic_bytes_per_unknown;
   }

@@ -11,13 +11,22 @@ namespace vocalis::coupling {
 
 namespace {
 
-/// A number that changes with any coordinate or cell of this rank's part of the parent mesh (FNV-1a).
+/// A number that changes with any coordinate or cell of this rank's part of a mesh (FNV-1a).
 std::int64_t fingerprint(const mesh::Mesh& mesh) {
   std::uint64_t hash = 14695981039346656037ull;
   const auto mix = [&hash](std::uint64_t bits) { hash = (hash ^ bits) * 1099511628211ull; };
   for (const double coordinate : mesh.coordinates) mix(std::bit_cast<std::uint64_t>(coordinate));
   for (const std::int32_t vertex : mesh.cell_vertices) mix(static_cast<std::uint64_t>(vertex));
   return static_cast<std::int64_t>(hash >> 1);
+}
+
+/// Of the parent, and of the meshes that voices have for themselves.
+std::vector<std::int64_t> fingerprints(const Scene& scene, Simulation& simulation) {
+  std::vector<std::int64_t> result = {fingerprint(scene.parent)};
+  for (const auto& voice : simulation.voices()) {
+    if (voice->has_own_mesh()) result.push_back(fingerprint(voice->mesh()));
+  }
+  return result;
 }
 
 /// The arrays of the flow, by name.
@@ -122,7 +131,7 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     writer.add(name, std::span<const double>(numbers));
   };
   writer.add_text("case", config.name);
-  const std::vector<std::int64_t> mesh = {fingerprint(scene.parent)};
+  const std::vector<std::int64_t> mesh = fingerprints(scene, simulation);
   writer.add("mesh", std::span<const std::int64_t>(mesh));
   const Clock& clock = simulation.clock();
   add("clock", on_rank_0(comm, {clock.time, static_cast<double>(clock.step), static_cast<double>(clock.rejected),
@@ -177,7 +186,7 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
     throw base::UserError("the checkpoint must be of this case: " + path, "of the case \"" + name + "\"",
                           "resume the folder of the run that wrote it");
   }
-  const bool same = reader.integers("mesh") == std::vector<std::int64_t>{fingerprint(scene.parent)};
+  const bool same = reader.integers("mesh") == fingerprints(scene, simulation);
   if (base::smallest(comm, static_cast<std::int32_t>(same)) == 0) {
     throw base::UserError("the checkpoint must be of this mesh: " + path, "another mesh",
                           "the geometry has changed since: run the case again");

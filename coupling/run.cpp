@@ -27,7 +27,7 @@ std::string checkpoint_path(const std::string& folder) {
   return (std::filesystem::path(folder) / "checkpoint.h5").string();
 }
 
-RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
+RunFacts facts_of_scene(const Case& config, const Scene& scene, const Simulation& simulation) {
   RunFacts facts;
   facts.ranks = base::size(scene.parent.comm);
   facts.dimension = scene.parent.dimension;
@@ -41,6 +41,14 @@ RunFacts facts_of_scene(const Scene& scene, const Simulation& simulation) {
     facts.cells["acoustic"] = scene.acoustic->mesh.cells.num_global;
     facts.imbalance["acoustic"] = balance(scene.acoustic->mesh).imbalance();
     facts.unknowns["acoustic"] = 2 * scene.acoustic->mesh.vertices.num_global;
+  }
+  for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
+    const Voice& voice = *simulation.voices()[i];
+    if (!voice.has_own_mesh()) continue;
+    const std::string name = "acoustic." + config.acoustics[i].name;
+    facts.cells[name] = voice.mesh().cells.num_global;
+    facts.unknowns[name] = 2 * voice.mesh().vertices.num_global;
+    facts.imbalance[name] = balance(voice.mesh()).imbalance();
   }
   return facts;
 }
@@ -117,7 +125,7 @@ class Run {
       log_.info("goes on from step {} at {:.6g} s", simulation_->clock().step, simulation_->clock().time);
     }
     output_ = std::make_unique<RunOutput>(config, folder_, *scene_, *simulation_, goes_on);
-    facts_ = facts_of_scene(*scene_, *simulation_);
+    facts_ = facts_of_scene(config, *scene_, *simulation_);
     for (const auto& [mesh, cells] : facts_.cells) log_.info("  {:<9} {:>9} cells", mesh, cells);
     for (const auto& [mesh, unknowns] : facts_.unknowns) log_.info("  {:<9} {:>9} unknowns", mesh, unknowns);
     for (std::size_t i = 0; i < config.acoustics.size(); ++i) {

@@ -288,8 +288,8 @@ void RunOutput::write_fields(Simulation& simulation) {
   }
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const Voice& voice = *simulation.voices()[i];
-    add(i == 0 ? "acoustic_pressure" : "acoustic_pressure_" + config_.acoustics[i].name,
-        transfer::SharedVertices::to_parent(scene_.parent, voice.air()), voice.pressure());
+    voice.carry_to_parent(voice.pressure(), fields.emplace_back(parent_space_, 1), undefined);
+    names.push_back(i == 0 ? "acoustic_pressure" : "acoustic_pressure_" + config_.acoustics[i].name);
   }
   std::vector<io::NamedValues> values;
   for (std::size_t i = 0; i < fields.size(); ++i) values.push_back({names[i], fields[i].components, fields[i].values});

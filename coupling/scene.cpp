@@ -30,7 +30,7 @@ std::unique_ptr<Scene> build_scene(MPI_Comm comm, const Case& config) {
   check_case_against_mesh_names(config, whole.dimension, whole.region_names, whole.group_names);
   auto scene = std::make_unique<Scene>();
   const bool flow = config.has_flow();
-  const bool acoustic = !config.acoustics.empty();
+  const bool acoustic = !config.acoustics.empty() && (!flow || sounds_on_the_case_mesh(config));
   std::vector<std::int32_t> cell_rank;
   if (base::rank(comm) == 0) {
     const auto kinds = kinds_of_regions(config, whole.region_names);

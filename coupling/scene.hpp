@@ -15,7 +15,8 @@ struct Scene {
   mesh::Mesh parent;
   std::vector<RegionKind> kind_of_region;            ///< by index in parent.region_names
   std::unique_ptr<transfer::StrippedMesh> flow;      ///< the parent without air; none without [flow]
-  std::unique_ptr<transfer::StrippedMesh> acoustic;  ///< the parent without solids; none without [[acoustic]]
+  std::unique_ptr<transfer::StrippedMesh> acoustic;  ///< the parent without solids; none where a flow is and
+                                                     ///< no [[acoustic]] sounds on it
 };
 
 /// Reads or makes the mesh, distributes it and strips it. Cells are shared out so that the flow's work and the

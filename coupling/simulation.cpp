@@ -27,14 +27,15 @@ Simulation::Simulation(Scene& scene, const Case& config, base::Timers& timers) :
   if (config.has_flow()) begin_flow(config);
   if (config.source) source_.emplace(config.source->pulse);
   for (const acoustic::AcousticSettings& settings : config.acoustics) {
-    voices_.push_back(std::make_unique<Voice>(scene, config, settings, voice_beside(settings)));
+    voices_.push_back(std::make_unique<Voice>(scene, config, settings, voice_beside(config, settings)));
   }
 }
 
 /// A voice that takes the same steps on the same mesh as one with these settings would.
-const Voice* Simulation::voice_beside(const acoustic::AcousticSettings& settings) const {
+const Voice* Simulation::voice_beside(const Case& config, const acoustic::AcousticSettings& settings) const {
   if (settings.contact_cells == acoustic::ContactCells::strip) return nullptr;
   for (const auto& voice : voices_) {
+    if (own_mesh_table(config, voice->solver().settings().name) != own_mesh_table(config, settings.name)) continue;
     const bool lags_alike = voice->derivative() == settings.analogy.pressure_derivative;
     if (lags_alike && differ_in_source_alone(voice->solver().settings(), settings)) return voice.get();
   }

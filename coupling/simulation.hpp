@@ -52,6 +52,7 @@ class Simulation {
   const ContactFollower* contact() const { return contact_.get(); }
   ContactFollower* contact() { return contact_.get(); }
   std::vector<std::unique_ptr<Voice>>& voices() { return voices_; }
+  const std::vector<std::unique_ptr<Voice>>& voices() const { return voices_; }
   /// Null without such microphones.
   SurfaceMicrophones* surface_microphones() { return surface_microphones_.get(); }
   const std::optional<acoustic::PulseFlux>& source() const { return source_; }
@@ -78,7 +79,7 @@ class Simulation {
   bool try_flow_step(StepOutcome& outcome);
   void step_surfaces();
   void step_voices(double dt, StepOutcome& outcome);
-  const Voice* voice_beside(const acoustic::AcousticSettings& settings) const;
+  const Voice* voice_beside(const Case& config, const acoustic::AcousticSettings& settings) const;
 
   Scene& scene_;
   base::Timers& timers_;

@@ -22,7 +22,8 @@ struct RunFacts {
   long rejected_steps = 0;
   double simulated_seconds = 0;
   double wall_seconds = 0;                              ///< of all parts of a run that was resumed
-  std::map<std::string, std::int64_t> cells, unknowns;  ///< by mesh: parent, flow, acoustic
+  std::map<std::string, std::int64_t> cells, unknowns;  ///< by mesh: parent, flow, acoustic; acoustic.NAME
+                                                        ///< of an [[acoustic]] with a mesh of its own
   std::map<std::string, double> imbalance;              ///< by mesh: see Balance
   std::vector<base::Timers::Phase> phases;
   base::Traffic traffic;   ///< of all steps, where the phases' counts are parts of it; largest over the ranks

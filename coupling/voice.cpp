@@ -15,9 +15,8 @@ namespace vocalis::coupling {
 namespace {
 
 /// Sound is made in the flow, or along the group where a prescribed source enters. Time goes in whole sub-steps.
-acoustic::FarFieldSettings far_field(const Scene& scene, const Case& config, const acoustic::AcousticSettings& settings,
-                                     std::vector<std::int32_t> has_source) {
-  const mesh::Mesh& mesh = scene.acoustic->mesh;
+acoustic::FarFieldSettings far_field(const mesh::Mesh& mesh, const Case& config,
+                                     const acoustic::AcousticSettings& settings, std::vector<std::int32_t> has_source) {
   if (config.source) {
     for (const mesh::NamedFacet& facet : mesh::facets_of_group(mesh, config.source->group)) has_source[facet.cell] = 1;
   }
@@ -72,14 +71,15 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
     : scene_(scene),
       settings_(settings),
       step_(config.time.step),
-      moves_(config.may_move() && std::any_of(config.regions.begin(), config.regions.end(),
-                                              [](const Region& region) { return region.kind == RegionKind::solid; })),
+      moves_(config.may_move() && !config.acoustic_meshes.contains(settings.name) &&
+             std::any_of(config.regions.begin(), config.regions.end(),
+                         [](const Region& region) { return region.kind == RegionKind::solid; })),
       analogy_(make_analogy(settings.analogy,
                             {settings.density, settings.speed_of_sound, source_window(scene, settings.analogy)})),
-      air_(make_air(scene, {})),
+      air_(beside && beside->air_->is_separate ? beside->air_ : make_air(scene, config, settings.name)),
       solver_(beside ? acoustic::AcousticSolver::beside(beside->solver_, settings)
                      : acoustic::AcousticSolver(air_->mesh(), settings)),
-      microphones_(air_->mesh(), config.microphones, far_field(scene, config, settings, air_->cell_has_flow)) {
+      microphones_(air_->mesh(), config.microphones, far_field(air_->mesh(), config, settings, air_->cell_has_flow)) {
   require_rebuildable(settings, analogy_->unknown());
   microphones_.require_inside();
   require_undamped(air_->mesh(), settings_, microphones_);
@@ -93,21 +93,10 @@ double Voice::fade(double time) const {
   return 0.5 * (1 - std::cos(std::numbers::pi * time / rise));
 }
 
-std::vector<double> Voice::at_vertices(const std::vector<double>& of_flow_vertices, int components) const {
-  // A fluid cell is on the same rank in both meshes, so its vertices are, too.
-  const transfer::StrippedMesh& acoustic = *air_->stripped;
-  std::vector<double> result(static_cast<std::size_t>(acoustic.mesh.num_vertices()) * components, 0.0);
-  if (of_flow_vertices.empty()) return result;
-  for (std::int32_t v = 0; v < acoustic.mesh.num_vertices(); ++v) {
-    const std::int32_t there = scene_.flow->parent_to_vertex[acoustic.vertex_to_parent[v]];
-    if (there < 0) continue;
-    for (int k = 0; k < components; ++k) result[v * components + k] = of_flow_vertices[there * components + k];
-  }
-  return result;
-}
-
-Voice::Drive Voice::carry(const FlowView& flow, const fem::Field& displacement_begin,
+Voice::Drive Voice::carry(const FlowView& all_of_flow, const fem::Field& displacement_begin,
                           const fem::Field& displacement_end) {
+  const auto seen = air_->bridge ? air_->bridge->with_ends(all_of_flow) : std::optional<FlowView>();
+  const FlowView& flow = seen ? *seen : all_of_flow;
   AnalogySource there;
   std::vector<double> convection, head_begin, head_end;
   {
@@ -123,15 +112,15 @@ Voice::Drive Voice::carry(const FlowView& flow, const fem::Field& displacement_b
   const auto scope = timers_.scope("transfer");
   Drive drive;
   drive.begin = drive.end = fem::Load(solver_.space(), 1);
-  air_->from_flow->carry(there.begin, drive.begin);
-  air_->from_flow->carry(there.end, drive.end);
+  coupling::carry(*air_, there.begin, drive.begin);
+  coupling::carry(*air_, there.end, drive.end);
   drive.from = moved_coordinates(*air_, solver_.space(), displacement_begin);
   drive.to = moved_coordinates(*air_, solver_.space(), displacement_end);
-  drive.flow_begin = at_vertices(flow.pressure_begin, 1);
-  drive.flow_end = at_vertices(flow.pressure_end, 1);
-  if (!head_begin.empty()) {
-    drive.head_begin = at_vertices(head_begin, 1);
-    drive.head_end = at_vertices(head_end, 1);
+  drive.flow_begin = values_of_flow(scene_, *air_, flow.pressure_begin, 1);
+  drive.flow_end = values_of_flow(scene_, *air_, flow.pressure_end, 1);
+  if (analogy_->unknown() == Unknown::enthalpy) {
+    drive.head_begin = values_of_flow(scene_, *air_, head_begin, 1);
+    drive.head_end = values_of_flow(scene_, *air_, head_end, 1);
   }
   if (analogy_->unknown() != Unknown::acoustic_pressure) {
     const double factor = fade(0.5 * (flow.time_begin + flow.time_end)) / (flow.time_end - flow.time_begin);
@@ -141,7 +130,11 @@ Voice::Drive Voice::carry(const FlowView& flow, const fem::Field& displacement_b
       drive.released[v] = factor * (drive.released[v] - drive.flow_begin[v]);
     }
   }
-  if (!convection.empty()) {
+  // A rank without vertices of the flow has an empty U, too.
+  if (base::largest(scene_.parent.comm, static_cast<std::int32_t>(!convection.empty())) == 0) return drive;
+  if (air_->bridge) {
+    drive.convection = air_->bridge->values(convection, scene_.parent.dimension);
+  } else {
     fem::Field flow_velocity(*flow.space, scene_.parent.dimension), here(solver_.space(), scene_.parent.dimension);
     flow_velocity.values = std::move(convection);
     air_->from_flow->carry(flow_velocity, here);
@@ -174,10 +167,12 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
   // Microphones stand still and cells pass them: where they are counts at each sub-step.
   const auto listen = [&](double time) {
     const double part = (time - start) / dt;
-    for (std::size_t i = 0; i < mesh.coordinates.size(); ++i) {
-      mesh.coordinates[i] = (1 - part) * drive.from[i] + part * drive.to[i];
+    if (!air_->is_separate) {
+      for (std::size_t i = 0; i < mesh.coordinates.size(); ++i) {
+        mesh.coordinates[i] = (1 - part) * drive.from[i] + part * drive.to[i];
+      }
+      microphones_.follow(mesh);
     }
-    microphones_.follow(mesh);
     split(drive, part);
     const acoustic::FlowPressure heard = {flow_, air_->cell_has_flow};
     microphones_.sample(time, sound_.empty() ? solver_.state().p : sound_, &heard);
@@ -221,6 +216,19 @@ void Voice::follow_contact(std::span<const char> in_contact, const fem::Field& d
   microphones_.adopt(air_->mesh(), vertices_there(*before, *air_));
   ++rebuilds_.count;
   rebuilds_.energy_lost += adoption.energy_before - adoption.energy_after;
+}
+
+void Voice::carry_to_parent(const fem::Field& from, fem::Field& to, double otherwise) const {
+  if (!air_->is_separate) {
+    transfer::SharedVertices::to_parent(scene_.parent, *air_->stripped).carry(from, to, otherwise);
+    return;
+  }
+  const transfer::PointInterpolation at_parent(air_->mesh(), scene_.parent.coordinates);
+  at_parent.evaluate(from, to.values);
+  const std::vector<std::int32_t> is_held = at_parent.is_held();
+  for (std::size_t v = 0; v < is_held.size(); ++v) {
+    if (!is_held[v]) to.values[v] = otherwise;
+  }
 }
 
 void Voice::drop_caches() {

@@ -30,7 +30,7 @@ class Voice {
   /// The scene must outlive the voice. Throws UserError for a microphone outside of the air, a far field that cannot
   /// be, or an analogy that cannot do what the settings ask for. Collective.
   ///
-  /// beside  a voice to share matrices with where that can be, see `AcousticSolver::beside`
+  /// beside  a voice on the same mesh to share matrices with where that can be, see `AcousticSolver::beside`
   Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings, const Voice* beside = nullptr);
 
   /// Follows one accepted step of the flow, and its cells in contact. Collective.
@@ -62,7 +62,12 @@ class Voice {
   const Rebuilds& rebuilds() const { return rebuilds_; }
   void set_rebuilds(const Rebuilds& rebuilds) { rebuilds_ = rebuilds; }
   /// The mesh that the sound is on now; another one after `follow_contact`.
-  const transfer::StrippedMesh& air() const { return *air_->stripped; }
+  const mesh::Mesh& mesh() const { return air_->mesh(); }
+  /// P1 fields of its mesh on the parent's vertices, at rest; `otherwise` where there is no air. Collective.
+  void carry_to_parent(const fem::Field& from, fem::Field& to, double otherwise) const;
+  /// How the flow fits into a mesh of its own; none on the case's mesh, or without a flow.
+  const transfer::PointsOutside* flow_outside() const { return air_->bridge ? &air_->bridge->outside() : nullptr; }
+  bool has_own_mesh() const { return air_->is_separate; }
 
   /// Which integrator the steps of the case get on the mesh as it is now, and why, in words. Collective.
   std::string integrator_words() const;
@@ -95,8 +100,6 @@ class Voice {
   };
   Drive carry(const FlowView& flow, const fem::Field& displacement_begin, const fem::Field& displacement_end);
   double fade(double time) const;
-  /// Values at the flow mesh's vertices at those of the air that fluid cells have; else 0.
-  std::vector<double> at_vertices(const std::vector<double>& of_flow_vertices, int components) const;
   /// p_a at a part of the step, and p_ic there.
   void split(const Drive& drive, double part);
 
@@ -105,7 +108,7 @@ class Voice {
   double step_;  ///< of the case [s]
   bool moves_;   ///< the air, with solids in the flow
   std::unique_ptr<Analogy> analogy_;
-  std::unique_ptr<Air> air_;
+  std::shared_ptr<Air> air_;    ///< one of its own is shared with the voices that share matrices
   std::vector<char> stripped_;  ///< (owned cells of the flow mesh) no part of the air; empty: none yet
   Rebuilds rebuilds_;
   acoustic::AcousticSolver solver_;

@@ -50,6 +50,7 @@ class PointInterpolation {
   void restrict_to(std::span<const double> at_points, fem::Load& load) const;
 
   const PointsOutside& outside() const { return outside_; }
+  std::size_t num_points() const { return num_points_; }
   /// Throws UserError if a point has no part in it; `rule` says what must lie inside what.
   void require_all(const std::string& rule) const;
   /// (points of this rank) not 0 where the point has a part in it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <fstream>
 
 #include "core/base/case_override.hpp"
@@ -16,33 +15,6 @@ namespace vocalis::coupling {
 namespace {
 
 using base::UserError;
-
-constexpr std::size_t kLongestList = 10000;  // of a parameter of the geometry
-
-void read_mesh(MPI_Comm comm, base::Table& root, Case& config) {
-  base::Table mesh = root.table("mesh");
-  if (mesh.has("geometry") == mesh.has("file")) {
-    throw UserError(mesh.place() + " needs one of geometry and file", mesh.has("file") ? "both" : "neither",
-                    "write geometry = \"x.geo\", or file = \"x.msh\"");
-  }
-  config.mesh.is_geometry = mesh.has("geometry");
-  const std::string key = config.mesh.is_geometry ? "geometry" : "file";
-  config.mesh.file = read_file_name(comm, mesh, key, config);
-  if (config.mesh.is_geometry && std::filesystem::path(config.mesh.file).extension() != ".geo") {
-    throw UserError(mesh.place(key) + " must be a Gmsh geometry, *.geo", "\"" + config.mesh.file + "\"",
-                    "write file = \"...\" for a mesh");
-  }
-  if (!config.mesh.is_geometry) return;
-  if (auto parameters = mesh.table_if("parameters")) {
-    for (const std::string& name : parameters->keys()) {
-      if (parameters->is_array(name)) {
-        config.mesh.parameters[name] = parameters->numbers(name, 1, kLongestList);
-      } else {
-        config.mesh.parameters[name] = parameters->number(name, base::any_number);
-      }
-    }
-  }
-}
 
 void read_output(base::Table& root, Case& config) {
   base::Table output = root.table_or_empty("output");
@@ -119,13 +91,14 @@ Case read_case_tree(MPI_Comm comm, const std::string& file, base::TomlNode tree)
   base::Table head = root.table("case");
   config.name = read_plain_name(head, "name");
   config.description = head.text_or("description", "");
-  read_mesh(comm, root, config);
+  base::Table mesh = root.table("mesh");
+  config.mesh = read_mesh(comm, mesh, config);
   read_regions(root, config);
   read_flow(root, config);
   read_given_flow(comm, root, config);
   read_time(root, config);
   read_contact(root, config);
-  read_acoustics(root, config);
+  read_acoustics(comm, root, config);
   read_source(comm, root, config);
   read_microphones(root, config);
   read_monitors(root, config);

@@ -40,6 +40,13 @@ struct MeshSettings {
   io::GeoValues parameters;  ///< DefineConstant values of the geometry
 };
 
+/// The mesh of an [[acoustic]] that does not sound on the case's own mesh.
+struct AcousticMesh {
+  std::string table;  ///< name of the [[acoustic]] table, which may be several voices
+  MeshSettings mesh;
+  std::vector<std::string> flow_ends;  ///< groups of the case's mesh where the flow ends inside of this air
+};
+
 /// A prescribed glottal signal, the normal velocity of a boundary into the air [m/s]: acoustics alone, without a flow.
 struct SourceSettings {
   std::string group;  ///< where it enters; the acoustic solvers get a boundary of kind `flux` there
@@ -70,11 +77,12 @@ struct ExpectedResult {
 
 /// A name or point of the case that only the mesh can confirm, with its place in the file.
 struct MeshReference {
-  enum class Kind { region, group, vector };
+  enum class Kind { region, group, group_of_sound, vector };  ///< group_of_sound: of every mesh that sounds
   Kind kind = Kind::region;
   std::string place;
   std::string name;
   std::vector<double> components;  ///< of a vector as written: 2 or 3
+  std::string acoustic = {};       ///< the [[acoustic]] table whose own mesh is meant; empty: the case's
 };
 
 /// A case file, resolved: all values, defaults included. Physics that the file does not name is absent. [SI units]
@@ -90,6 +98,7 @@ struct Case {
   std::optional<contact::ContactSettings> contact;  ///< none: walls cannot touch
   fsi::TimeSettings time;                           ///< without a flow only `end` and `step` have a meaning
   std::vector<acoustic::AcousticSettings> acoustics;
+  std::map<std::string, AcousticMesh> acoustic_meshes;  ///< by [[acoustic]]; of the others it is the case's, stripped
   std::optional<SourceSettings> source;
   std::vector<acoustic::MicrophoneSettings> microphones;       ///< that hear the acoustic solvers
   std::vector<SurfaceMicrophoneSettings> surface_microphones;  ///< that hear surfaces of the flow
@@ -118,11 +127,21 @@ Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::st
 /// gets the same case. Throws UserError on every rank, too, if the run has no flow, or did not record it.
 Case read_replay(MPI_Comm comm, const std::string& run, const std::vector<std::string>& overrides);
 
+/// The [[acoustic]] table whose own mesh a voice sounds on; empty: on the case's.
+std::string own_mesh_table(const Case& config, const std::string& voice);
+
+/// Whether an [[acoustic]] sounds on the case's own mesh.
+bool sounds_on_the_case_mesh(const Case& config);
+
 /// What only the mesh can tell: that it has the regions and groups that the case names, that the case names all of its
 /// regions, and that points have as many coordinates as the mesh. Throws UserError. Every rank must pass the same
 /// names.
 void check_case_against_mesh_names(const Case& config, int dimension, const std::vector<std::string>& region_names,
                                    const std::vector<std::string>& group_names);
+
+/// The same for the groups of the own mesh of an [[acoustic]], given by its name.
+void check_acoustic_against_mesh_names(const Case& config, const std::string& acoustic,
+                                       const std::vector<std::string>& group_names);
 
 /// Writes resolved.toml: a case file of its own that repeats the run. Rank 0 writes. Collective; throws UserError if it
 /// cannot be written.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,25 @@ acoustic::AbsorbingLayer read_layer(base::Table& table) {
   return layer;
 }
 
+/// A mesh besides the case's; the groups of the last `boundaries` references are those of that mesh.
+std::optional<AcousticMesh> read_own_mesh(MPI_Comm comm, base::Table& table, const acoustic::AcousticSettings& solver,
+                                          std::size_t boundaries, Case& config) {
+  auto mesh = table.table_if("mesh");
+  if (!mesh) return {};
+  if (solver.contact_cells == Contact::strip) {
+    throw UserError(table.place("contact_cells") + " = \"strip\" needs the cells of the flow",
+                    "[[acoustic]] \"" + solver.name + "\" with a mesh of its own",
+                    "write contact_cells = \"keep\", or leave the mesh out");
+  }
+  for (auto reference = config.references.end() - static_cast<std::ptrdiff_t>(boundaries);
+       reference != config.references.end(); ++reference) {
+    reference->acoustic = solver.name;
+  }
+  AcousticMesh own = {.table = solver.name, .mesh = read_mesh(comm, *mesh, config), .flow_ends = {}};
+  if (config.has_flow() && mesh->has("flow_ends")) own.flow_ends = read_groups(*mesh, config, "flow_ends");
+  return own;
+}
+
 double read_step(base::Table& table, const Case& config) {
   if (config.time.step > 0) return table.number_or("dt", config.time.step, base::positive, "s");
   return table.number("dt", base::positive, "s");
@@ -74,7 +94,7 @@ double read_step(base::Table& table, const Case& config) {
 
 }  // namespace
 
-void read_acoustics(base::Table& root, Case& config) {
+void read_acoustics(MPI_Comm comm, base::Table& root, Case& config) {
   std::vector<std::string> names;
   for (base::Table& table : root.tables("acoustic")) {
     acoustic::AcousticSettings solver;
@@ -104,12 +124,14 @@ void read_acoustics(base::Table& root, Case& config) {
       groups.push_back(solver.boundaries.back().group);
     }
     reject_duplicates(table, "[[acoustic.boundary]]", groups);
+    const auto own_mesh = read_own_mesh(comm, table, solver, groups.size(), config);
     for (base::Table& layer : table.tables("layer")) solver.layers.push_back(read_layer(layer));
     for (const acoustic::AnalogySettings& analogy : analogies) {
       config.acoustics.push_back(solver);
       config.acoustics.back().analogy = analogy;
       if (analogies.size() > 1) config.acoustics.back().name = solver.name + "_" + analogy.name;
       names.push_back(config.acoustics.back().name);
+      if (own_mesh) config.acoustic_meshes[names.back()] = *own_mesh;
     }
   }
   reject_duplicates(root, "[[acoustic]]", names);

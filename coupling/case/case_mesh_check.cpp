@@ -35,10 +35,18 @@ void check_vector(const MeshReference& reference, int dimension) {
 
 }  // namespace
 
+std::string own_mesh_table(const Case& config, const std::string& voice) {
+  const auto own = config.acoustic_meshes.find(voice);
+  return own == config.acoustic_meshes.end() ? "" : own->second.table;
+}
+
+bool sounds_on_the_case_mesh(const Case& config) { return config.acoustic_meshes.size() < config.acoustics.size(); }
+
 void check_case_against_mesh_names(const Case& config, int dimension, const std::vector<std::string>& region_names,
                                    const std::vector<std::string>& group_names) {
   std::vector<std::string> named;
   for (const MeshReference& reference : config.references) {
+    if (!reference.acoustic.empty()) continue;
     switch (reference.kind) {
       case MeshReference::Kind::region:
         check_name(reference, "cells", region_names, config.mesh.file);
@@ -46,6 +54,9 @@ void check_case_against_mesh_names(const Case& config, int dimension, const std:
         break;
       case MeshReference::Kind::group:
         check_name(reference, "facets", group_names, config.mesh.file);
+        break;
+      case MeshReference::Kind::group_of_sound:
+        if (sounds_on_the_case_mesh(config)) check_name(reference, "facets", group_names, config.mesh.file);
         break;
       case MeshReference::Kind::vector:
         check_vector(reference, dimension);
@@ -56,6 +67,15 @@ void check_case_against_mesh_names(const Case& config, int dimension, const std:
     if (is_in(name, named)) continue;
     throw UserError(config.file + ": the case must say what every region of the mesh " + config.mesh.file + " is",
                     "nothing about \"" + name + "\"", "add [[region]] with name = \"" + name + "\" and its kind");
+  }
+}
+
+void check_acoustic_against_mesh_names(const Case& config, const std::string& acoustic,
+                                       const std::vector<std::string>& group_names) {
+  const AcousticMesh& own = config.acoustic_meshes.at(acoustic);
+  for (const MeshReference& reference : config.references) {
+    const bool is_of_sound = reference.kind == MeshReference::Kind::group_of_sound;
+    if (is_of_sound || reference.acoustic == own.table) check_name(reference, "facets", group_names, own.mesh.file);
   }
 }
 

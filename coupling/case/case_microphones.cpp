@@ -55,6 +55,7 @@ acoustic::MicrophoneSettings read_microphone(base::Table& table, const std::stri
   if (kind == Kind::mesh) return microphone;
   microphone.kind = acoustic::MicrophoneKind::far_field;
   microphone.surface = read_group(table, config, "surface");
+  config.references.back().kind = MeshReference::Kind::group_of_sound;
   microphone.mirrors = read_mirrors(table);
   return microphone;
 }

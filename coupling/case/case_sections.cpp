@@ -86,10 +86,10 @@ std::string read_group(base::Table& table, Case& config, const std::string& key)
   return name;
 }
 
-std::vector<std::string> read_groups(base::Table& table, Case& config) {
-  const std::vector<std::string> names = table.texts("groups");
+std::vector<std::string> read_groups(base::Table& table, Case& config, const std::string& key) {
+  const std::vector<std::string> names = table.texts(key);
   for (const std::string& name : names) {
-    config.references.push_back({MeshReference::Kind::group, table.place("groups"), name, {}});
+    config.references.push_back({MeshReference::Kind::group, table.place(key), name, {}});
   }
   return names;
 }

@@ -14,13 +14,14 @@ Case read_case_tree(MPI_Comm comm, const std::string& file, base::TomlNode tree)
 
 // The sections of a case file, one function each; `read_case` calls them. All throw UserError.
 
+MeshSettings read_mesh(MPI_Comm comm, base::Table& mesh, const Case& config);  ///< collective
 void read_regions(base::Table& root, Case& config);
 void read_flow(base::Table& root, Case& config);
 void read_given_flow(MPI_Comm comm, base::Table& root, Case& config);  ///< collective
 void read_record(base::Table& root, Case& config);                     ///< after the flow
 void read_time(base::Table& root, Case& config);
-void read_contact(base::Table& root, Case& config);  ///< after regions, flow and time
-void read_acoustics(base::Table& root, Case& config);
+void read_contact(base::Table& root, Case& config);                   ///< after regions, flow and time
+void read_acoustics(MPI_Comm comm, base::Table& root, Case& config);  ///< collective
 /// The analogies of one [[acoustic]] table, each a voice: `analogy` may be several names.
 std::vector<acoustic::AnalogySettings> read_analogies(base::Table& table, const Case& config);
 void read_source(MPI_Comm comm, base::Table& root, Case& config);  ///< collective
@@ -45,7 +46,7 @@ std::array<double, 3> read_vector_or(base::Table& table, const std::string& key,
 
 /// The name of a group of facets; the names of several.
 std::string read_group(base::Table& table, Case& config, const std::string& key = "group");
-std::vector<std::string> read_groups(base::Table& table, Case& config);
+std::vector<std::string> read_groups(base::Table& table, Case& config, const std::string& key = "groups");
 
 /// Throws if a name stands twice. `what` is the kind of thing: "[[region]]".
 void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names);

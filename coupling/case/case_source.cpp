@@ -95,6 +95,7 @@ void read_source(MPI_Comm comm, base::Table& root, Case& config) {
   SourceSettings& source = config.source.emplace();
   const std::string kind = table->text("kind", {"gaussian_pulse", "lf", "rosenberg", "signal"});
   source.group = read_group(*table, config);
+  config.references.back().kind = MeshReference::Kind::group_of_sound;
   source.pulse = read_pulse(comm, *table, kind, config);
   for (acoustic::AcousticSettings& solver : config.acoustics) {
     for (const acoustic::AcousticBoundary& boundary : solver.boundaries) {

@@ -101,6 +101,16 @@ MISTAKES = [
     scene("mass of a wall that does not yield", 'kind = "open"', 'kind = "admittance"\nmass = 21', "mass"),
     Mistake("yielding wall of the explicit integrator", "scene.toml", [('kind = "open"', 'kind = "yielding"')],
             ["need the implicit integrator", "auto"], ["--set", 'acoustic.integrator="explicit"']),
+    scene("own mesh by both ways", "[[microphone]]", '[acoustic.mesh]\ngeometry = "scene.geo"\nfile = "two_cells.msh"\n\n'
+          "[[microphone]]", "acoustic[sound].mesh", "one of geometry and file"),
+    scene("own mesh without the group", "[[microphone]]", '[acoustic.mesh]\nfile = "two_cells.msh"\n\n[[microphone]]',
+          "acoustic[sound].boundary[open].group", "two_cells.msh"),
+    scene("own mesh that strips", 'dt = 1e-5\n\n[[acoustic.boundary]]', 'dt = 1e-5\ncontact_cells = "strip"\n\n'
+          '[acoustic.mesh]\ngeometry = "scene.geo"\n\n[[acoustic.boundary]]', "acoustic[sound].contact_cells", "keep"),
+    scene("flow outside of the own mesh", "[[acoustic.boundary]]", '[acoustic.mesh]\ngeometry = "far_away.geo"\n\n'
+          "[[acoustic.boundary]]", "all of the flow", "\"sound\"", "further outside"),
+    scene("end of the flow that is no group", "[[acoustic.boundary]]", '[acoustic.mesh]\ngeometry = "scene.geo"\n'
+          'flow_ends = ["moth"]\n\n[[acoustic.boundary]]', "acoustic[sound].mesh.flow_ends", "did you mean \"mouth\""),
     scene("layer on no side", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["right"]\nthickness = 0.01\n'
           "[[microphone]]", "acoustic[sound].layer", "sides", "x_min, x_max"),
     scene("layer thinner than two cells", "[[microphone]]", '[[acoustic.layer]]\nkind = "pml"\nsides = ["x_max"]\n'

@@ -11,7 +11,7 @@ import numpy
 from program import HERE, main, read_series, read_summary
 
 SERIES = ("history.csv", "microphones.csv", "microphones_damped.csv", "microphones_of_surfaces.csv",
-          "kymogram_glottis.csv")
+          "microphones_near.csv", "kymogram_glottis.csv")
 # Steps before each stop: after the first step, before, at and after a scheduled checkpoint (every 5 steps), and twice.
 STOPS = {1: ((1,), (4,), (5,), (6,), (6, 6)), 2: ((1,), (6,))}
 # So few iterations that steps are rejected, halved and grow again.
@@ -138,6 +138,12 @@ def test(program, folder):
         contact = read_summary(whole)["contact"]
         program.expect(contact["closings"] > 0 and contact["closed_steps"] > 10, f"{what}: {contact}")
         stop_and_resume(program, ranks, whole, run, (16, 3, 11), folder / f"touching_stopped{ranks}", what)
+
+    # Sound on a mesh of its own beside sound on the flow's.
+    for ranks in (1, 3):
+        whole, run, what = folder / f"coarse{ranks}", ("run", HERE / "coarse.toml"), f"two meshes on {ranks} ranks"
+        program.expect_code(0, program.start(ranks, *run, "--out", whole), what)
+        stop_and_resume(program, ranks, whole, run, (4, 2), folder / f"coarse_stopped{ranks}", what)
 
     # Sound alone, with a microphone outside of the mesh that the surface's past is still under way to.
     for ranks in (1, 3):

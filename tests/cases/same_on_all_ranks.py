@@ -13,7 +13,7 @@ ABOUT_EFFORT = ("newton_iterations", "jacobians", "acoustic_iterations")  # thes
 CLOSING = ("--set", "mesh.parameters.half_gap=6e-5", "--set", "contact.alpha=0.5", "--set", "flow.gravity=[0,-3000]",
            "--set", "acoustic.contact_cells=strip")
 CASES = {"larynx": ("larynx",), "channel": ("channel",), "tube": ("tube",), "closing": ("larynx", *CLOSING),
-         "touching": ("touching",)}
+         "touching": ("touching",), "coarse": ("coarse",)}
 
 
 def difference(one, other):

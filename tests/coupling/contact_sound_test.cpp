@@ -98,7 +98,7 @@ class Rest {
 /// A pulse of 1 Pa on the left; silence from 0.08 on.
 void shout(Voice& voice) {
   acoustic::State state = voice.solver().state();
-  const mesh::Mesh& mesh = voice.air().mesh;
+  const mesh::Mesh& mesh = voice.mesh();
   for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
     const double x = mesh.point(v)[0];
     state.p[v] = x < 0.08 ? std::exp(-std::pow((x - 0.03) / 0.012, 2)) : 0;

@@ -3,6 +3,7 @@
 
 #include "core/base/mpi.hpp"
 #include "tests/verification/acoustic_fields.hpp"
+#include "transfer/point_interpolation.hpp"
 
 namespace vocalis::acoustic::verification {
 namespace {
@@ -70,6 +71,52 @@ fem::Load pressure_rate(const fem::Space& space, double time, double sign, bool 
   return load;
 }
 
+/// The flow's part of the duct on a mesh with cells and a partition of its own, `cells` along it and three across.
+class OtherMesh {
+ public:
+  OtherMesh(const mesh::Mesh& air, int cells, double height)
+      : mesh_(box_mesh({kLength, height, 0}, {cells, 3, 0})),
+        space_(fem::lagrange(mesh_, 1)),
+        at_flow_(air, mesh_.coordinates),
+        height_(height) {
+    CHECK(at_flow_.outside().count == 0);
+  }
+  /// `pressure_rate` there, carried over to the air.
+  fem::Load load(const fem::Space& air, double time, double sign, bool with_outlet) const {
+    const fem::Load given = pressure_rate(space_, time, sign, with_outlet, height_, height_ / 3);
+    fem::Load result(air, 1);
+    at_flow_.restrict_to(given.values, result);
+    return result;
+  }
+
+ private:
+  mesh::Mesh mesh_;
+  fem::Space space_;
+  transfer::PointInterpolation at_flow_;
+  double height_;
+};
+
+double duct_with_release_on_two_meshes(int cells, int flow_cells) {
+  const double h = kLength / cells, dt = 0.5 * h / kSpeed;
+  const mesh::Mesh mesh = box_mesh({kLength, 2 * h, 0}, {cells, 2, 0});
+  const OtherMesh flow(mesh, flow_cells, 2 * h);
+  AcousticSettings settings = air(dt);
+  settings.boundaries = {{"right", AcousticBoundaryKind::pressure_release}};
+  AcousticSettings blown = settings;
+  blown.boundaries.push_back({"left", AcousticBoundaryKind::flux});
+  AcousticSolver direct(mesh, blown), sound(mesh, settings);
+  const Source flux = {nullptr, nullptr, glottal_velocity};
+  Difference difference;
+  for (int n = 0; n * dt < 6e-3; ++n) {
+    const auto begin = flow.load(sound.space(), n * dt, -1, false);
+    const auto end = flow.load(sound.space(), (n + 1) * dt, -1, false);
+    CHECK(direct.advance(dt, {}, flux).converged);
+    CHECK(sound.advance(dt, {}, {&begin, &end, {}}).converged);
+    difference.add(mesh, total(sound, mesh), [&](std::int32_t v) { return direct.state().p[v]; });
+  }
+  return difference.relative(mesh);
+}
+
 double duct_with_release(int cells, double sign) {
   const double h = kLength / cells, dt = 0.5 * h / kSpeed;
   const mesh::Mesh mesh = box_mesh({kLength, 2 * h, 0}, {cells, 2, 0});
@@ -85,6 +132,26 @@ double duct_with_release(int cells, double sign) {
     CHECK(direct.advance(dt, {}, flux).converged);
     CHECK(sound.advance(dt, {}, {&begin, &end, {}}).converged);
     difference.add(mesh, total(sound, mesh), [&](std::int32_t v) { return direct.state().p[v]; });
+  }
+  return difference.relative(mesh);
+}
+
+/// The air goes on to 1.9 L, so that the flow ends inside of a cell.
+double duct_that_goes_on_over_another_mesh(int cells, int flow_cells, bool with_outlet) {
+  const double length = 1.9 * kLength, h = length / cells, dt = 0.5 * h / kSpeed;
+  const mesh::Mesh mesh = box_mesh({length, 2 * h, 0}, {cells, 2, 0});
+  const OtherMesh flow(mesh, flow_cells, 2 * h);
+  AcousticSettings settings = air(dt);
+  settings.boundaries = {{"right", AcousticBoundaryKind::open}};
+  AcousticSolver sound(mesh, settings);
+  Difference difference;
+  for (int n = 0; n * dt < 4e-3; ++n) {
+    const auto begin = flow.load(sound.space(), n * dt, -1, with_outlet);
+    const auto end = flow.load(sound.space(), (n + 1) * dt, -1, with_outlet);
+    CHECK(sound.advance(dt, {}, {&begin, &end, {}}).converged);
+    const double t = sound.state().time;
+    difference.add(mesh, total(sound, mesh),
+                   [&](std::int32_t v) { return kDensity * kSpeed * glottal_velocity(t - mesh.point(v)[0] / kSpeed); });
   }
   return difference.relative(mesh);
 }
@@ -125,6 +192,22 @@ TEST_CASE("V4: where the flow ends inside of the sound, its outlet's flux carrie
   CHECK(lowest_order(errors) == Approx(2).margin(0.2));
   CHECK(errors.back() < 1e-3);
   CHECK(duct_that_goes_on(100, false) > 0.5);
+}
+
+// Seven flow cells to five of the air, which no vertices but those of the ends have in common.
+TEST_CASE("V3 and V4 hold where the flow has a finer mesh of its own") {
+  std::vector<double> released, going_on;
+  for (const int level : {1, 2, 4}) {
+    released.push_back(duct_with_release_on_two_meshes(25 * level, 35 * level));
+    going_on.push_back(duct_that_goes_on_over_another_mesh(50 * level, 37 * level, true));
+  }
+  print_errors("V3 duct, flow on a mesh of its own", released);
+  print_errors("V4 duct that goes on, flow on a mesh of its own", going_on);
+  CHECK(lowest_order(released) == Approx(2).margin(0.2));
+  CHECK(lowest_order(going_on) == Approx(2).margin(0.2));
+  CHECK(released.back() < 1e-3);
+  CHECK(going_on.back() < 1e-3);
+  CHECK(duct_that_goes_on_over_another_mesh(50, 37, false) > 0.5);
 }
 
 }  // namespace vocalis::acoustic::verification
