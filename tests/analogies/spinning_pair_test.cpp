@@ -143,12 +143,12 @@ void check(const SpinningPair& pair, const std::vector<Heard>& all) {
 
 }  // namespace
 
-TEST_CASE("a pair of vortices sounds as the formula says: amplitude within 5 %, phase within 5 degrees") {
+TEST_CASE("a pair of vortices sounds as the formula says: amplitude within 5 %, phase within 5 degrees", "[serial]") {
   check(test::exadg(), listen(test::exadg(), {"pressure_rate", "ape", "lighthill", "vortex"}, {}));
   check(test::trixi(), listen(test::trixi(), {"vortex"}, {}));
 }
 
-TEST_CASE("at half its Mach number with every analogy") {
+TEST_CASE("at half its Mach number with every analogy", "[serial]") {
   SpinningPair pair = test::exadg();
   pair.speed_of_sound *= 2;
   check(pair, listen(pair, {"pressure_rate", "pcwe", "lighthill", "vortex"}, {}));
