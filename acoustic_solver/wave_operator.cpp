@@ -134,21 +134,30 @@ void WaveOperator::add_subscales(double b, std::span<const double> x, std::span<
   if (subscale_time_ > 0) subscales_->add(gradients_, subscale_weights(1, true), x, sums);
 }
 
+template <int D>
+void WaveOperator::add_cell_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const {
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    const std::int32_t* vertices = mesh_->cell_vertices.data() + static_cast<std::size_t>(cell) * (D + 1);
+    const double* g = gradient(cell, 0);
+    std::array<double, D> slope = {};
+    for (int i = 0; i <= D; ++i) {
+      for (int k = 0; k < D; ++k) slope[k] += potential[vertices[i]] * g[i * D + k];
+    }
+    for (int i = 0; i <= D; ++i) {
+      double product = 0;
+      for (int k = 0; k < D; ++k) product += slope[k] * g[i * D + k];
+      sums[vertices[i]] += factor * measures_[cell] * product;
+    }
+  }
+}
+
 void WaveOperator::add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const {
   const int d = mesh_->dimension;
   if (subscales_) subscales_->add(gradients_, subscale_weights(-factor, false), potential, sums);
-  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
-    const auto vertices = mesh_->vertices_of(cell);
-    const double* g = gradient(cell, 0);
-    double slope[3] = {0, 0, 0};
-    for (int i = 0; i <= d; ++i) {
-      for (int k = 0; k < d; ++k) slope[k] += potential[vertices[i]] * g[i * d + k];
-    }
-    for (int i = 0; i <= d; ++i) {
-      double product = 0;
-      for (int k = 0; k < d; ++k) product += slope[k] * g[i * d + k];
-      sums[vertices[i]] += factor * measures_[cell] * product;
-    }
+  if (d == 2) {
+    add_cell_stiffness<2>(factor, potential, sums);
+  } else {
+    add_cell_stiffness<3>(factor, potential, sums);
   }
   for (const BoundaryFacet& facet : facets_) {
     if (facet.on_potential == 0) continue;

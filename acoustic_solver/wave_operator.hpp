@@ -98,6 +98,8 @@ class WaveOperator {
 
  private:
   template <int D>
+  void add_cell_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const;
+  template <int D>
   void compute_cells(const std::vector<char>& vertex_moved);
   void add_facet_admittance(double factor, std::span<const double> pressure, std::span<double> sums,
                             bool open_only) const;
