@@ -17,8 +17,8 @@
 #include "coupling/far_field/surface_series.hpp"
 #include "coupling/history_columns.hpp"
 #include "coupling/phonation/phonation.hpp"
-#include "coupling/sound_comparison.hpp"
-#include "coupling/spectra_file.hpp"
+#include "coupling/sound/sound_comparison.hpp"
+#include "coupling/sound/spectra_file.hpp"
 
 namespace vocalis::coupling {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coupling/case/case.hpp"
-#include "coupling/sound_analysis.hpp"
+#include "coupling/sound/sound_analysis.hpp"
 
 namespace vocalis::coupling {
 

@@ -13,8 +13,8 @@
 #include "coupling/balance.hpp"
 #include "coupling/checkpoint_state.hpp"
 #include "coupling/run_folder.hpp"
-#include "coupling/sound_comparison.hpp"
-#include "coupling/sound_table.hpp"
+#include "coupling/sound/sound_comparison.hpp"
+#include "coupling/sound/sound_table.hpp"
 #include "coupling/summary.hpp"
 
 namespace vocalis::coupling {

@@ -15,7 +15,7 @@
 #include "coupling/flow/solved_flow.hpp"
 #include "coupling/monitors/monitors.hpp"
 #include "coupling/scene.hpp"
-#include "coupling/voice.hpp"
+#include "coupling/voice/voice.hpp"
 
 namespace vocalis::coupling {
 

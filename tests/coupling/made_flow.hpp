@@ -8,7 +8,7 @@
 #include <span>
 
 #include "coupling/flow/flow_history.hpp"
-#include "coupling/voice.hpp"
+#include "coupling/voice/voice.hpp"
 #include "tests/all_ranks.hpp"
 
 namespace vocalis::coupling::test {

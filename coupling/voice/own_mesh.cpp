@@ -1,4 +1,4 @@
-#include "coupling/own_mesh.hpp"
+#include "coupling/voice/own_mesh.hpp"
 
 #include <algorithm>
 

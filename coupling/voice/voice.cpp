@@ -1,4 +1,4 @@
-#include "coupling/voice.hpp"
+#include "coupling/voice/voice.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "coupling/sound_table.hpp"
+#include "coupling/sound/sound_table.hpp"
 
 #include <algorithm>
 #include <cmath>

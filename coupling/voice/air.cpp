@@ -1,9 +1,9 @@
-#include "coupling/air.hpp"
+#include "coupling/voice/air.hpp"
 
 #include <algorithm>
 
 #include "core/base/mpi.hpp"
-#include "coupling/own_mesh.hpp"
+#include "coupling/voice/own_mesh.hpp"
 
 namespace vocalis::coupling {
 

@@ -1,4 +1,4 @@
-#include "coupling/sound_comparison.hpp"
+#include "coupling/sound/sound_comparison.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -9,11 +9,11 @@
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "acoustic_solver/microphones.hpp"
 #include "core/base/timers.hpp"
-#include "coupling/air.hpp"
 #include "coupling/analogies/analogy.hpp"
 #include "coupling/case/case.hpp"
 #include "coupling/flow/flow_history.hpp"
 #include "coupling/scene.hpp"
+#include "coupling/voice/air.hpp"
 
 namespace vocalis::coupling {
 

@@ -1,4 +1,4 @@
-#include "coupling/sound_analysis.hpp"
+#include "coupling/sound/sound_analysis.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "coupling/spectra_file.hpp"
+#include "coupling/sound/spectra_file.hpp"
 
 #include <fmt/format.h>
 

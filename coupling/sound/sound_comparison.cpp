@@ -1,4 +1,4 @@
-#include "coupling/sound_comparison.hpp"
+#include "coupling/sound/sound_comparison.hpp"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/fem/field.hpp"
-#include "coupling/flow_bridge.hpp"
 #include "coupling/scene.hpp"
+#include "coupling/voice/flow_bridge.hpp"
 #include "transfer/carry.hpp"
 
 namespace vocalis::coupling {

@@ -1,4 +1,4 @@
-#include "coupling/flow_bridge.hpp"
+#include "coupling/voice/flow_bridge.hpp"
 
 #include <cmath>
 #include <numeric>
