@@ -24,11 +24,11 @@ struct Motion {
 
 /// The right-hand side (Q, q) + <g, q>.
 struct Source {
-  const fem::Load* begin = nullptr;  ///< at the beginning of the advance, summed to the owners [m^3/s;
-  const fem::Load* end = nullptr;    ///< m^2/s in two dimensions]; linear in between. Both or none.
-  std::span<const double> released =
-      {};                              ///< (vertices) p [Pa] during the advance where boundaries release it; empty: 0
+  const fem::Load* begin = nullptr;    ///< at the beginning of the advance, summed to the owners [m^3/s;
+  const fem::Load* end = nullptr;      ///< m^2/s in two dimensions]; linear in between. Both or none.
   std::function<double(double)> flux;  ///< g(t) [m/s] into the air through the boundaries of kind `flux`
+  /// (vertices) p [Pa] during the advance where boundaries release it; empty: 0
+  std::span<const double> released = {};
 };
 
 /// What going on with another mesh did to the energy, see `AcousticSolver::energy`.

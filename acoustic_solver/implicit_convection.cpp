@@ -1,5 +1,9 @@
 #include "acoustic_solver/implicit_convection.hpp"
 
+#include <cmath>
+
+#include "core/base/mpi.hpp"
+
 namespace vocalis::acoustic {
 
 ImplicitConvection::ImplicitConvection(const fem::Space& space, const WaveOperator& wave, const YieldingWalls& walls,
@@ -30,6 +34,7 @@ void ImplicitConvection::update(const std::vector<double>& increment) {
   std::vector<double> potential;
   middle(increment, convected_, potential);
   const bool is_first = rates_.empty();
+  before_ = rates_;
   wave_->potential_convection(potential, convected_, rates_, walls_->velocities(beta_, convected_, *state_));
   // Of ψ_θ and the new r, p_θ / ρ = (ψ_θ - ψ) / (θ dt) - r. Where the mesh alone moves, v dt / h is small, and the p_θ
   // that ψ_θ was found with serves as well.
@@ -41,6 +46,16 @@ void ImplicitConvection::update(const std::vector<double>& increment) {
     convected_[v] = -density_ * rates_[v];
     held_[v] = 0;
   }
+}
+
+bool ImplicitConvection::has_settled(double tolerance) const {
+  double change = 0, size = 0;
+  for (std::int32_t v = 0; v < space_->dofs.num_owned; ++v) {
+    change += std::pow(density_ * (rates_[v] - before_[v]), 2);
+    size += std::pow(convected_[v], 2);
+  }
+  const MPI_Comm comm = space_->mesh->comm;
+  return base::sum(comm, change) <= tolerance * tolerance * base::sum(comm, size);
 }
 
 void ImplicitConvection::finish(const std::vector<double>& increment, double dt, double theta, State& state) const {

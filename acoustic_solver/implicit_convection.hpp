@@ -25,6 +25,10 @@ class ImplicitConvection {
   /// r for an increment of p to the θ-point, ghosts current, and the last r. Collective.
   void update(const std::vector<double>& increment);
 
+  /// Whether the last update has changed ρ r, which p_θ answers to one to one at the most, by no more than this part of
+  /// p_θ (2-norms). Collective.
+  bool has_settled(double tolerance) const;
+
   /// Adds what the last r and p bring to the right-hand side, at the owners. Collective.
   void add_terms(std::vector<double>& right_hand_side) const;
 
@@ -43,6 +47,7 @@ class ImplicitConvection {
   double density_, beta_;
   std::vector<double> base_;
   std::vector<double> rates_;      ///< r; empty before the first update
+  std::vector<double> before_;     ///< r of the update before
   std::vector<double> held_;       ///< r, but 0 at inlets
   std::vector<double> convected_;  ///< p_θ that v carries
 };

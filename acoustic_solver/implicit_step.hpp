@@ -38,7 +38,6 @@ class ImplicitStep {
                   ImplicitConvection& convection, std::vector<double>& increment, AdvanceReport& report);
   /// Assembled for the sub-step.
   PressureSystem& system_for(const SubStep& step);
-  double norm(const std::vector<double>& owned_values) const;
 
   const mesh::Mesh* mesh_;
   const fem::Space* space_;

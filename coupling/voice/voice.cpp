@@ -178,7 +178,7 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
     microphones_.sample(time, sound_.empty() ? solver_.state().p : sound_, &heard);
   };
   const acoustic::Motion motion = {.begin = drive.from, .end = drive.to, .convection = drive.convection};
-  const acoustic::Source source = {.begin = &drive.begin, .end = &drive.end, .released = drive.released, .flux = {}};
+  const acoustic::Source source = {.begin = &drive.begin, .end = &drive.end, .flux = {}, .released = drive.released};
   const auto report = solver_.advance(dt, motion, source, listen);
   mesh.coordinates = drive.to;
   return report;
