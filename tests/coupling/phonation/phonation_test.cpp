@@ -60,12 +60,11 @@ io::Series history_of(double length) {
 
 TEST_CASE("a run's phonation carries the monitor's name, and units of its folds' length", "[serial]") {
   const Phonation with_depth = analyse_phonation(larynx(depth), history_of(depth));
-  CHECK(with_depth.columns == std::vector<std::string>{"begin_s", "f0_Hz", "open_quotient",
-                                                       "open_quotient_above_20_percent", "closing_quotient",
-                                                       "speed_quotient", "area_peak_m2", "flow_peak_m3_s",
-                                                       "flow_mean_m3_s", "flow_declination_m3_s2", "speed_peak_m_s",
-                                                       "jet_speed_m_s", "impact_stress_Pa", "leak", "tip_x_amplitude_m",
-                                                       "tip_y_amplitude_m"});
+  CHECK(with_depth.columns ==
+        std::vector<std::string>{"begin_s", "f0_Hz", "open_quotient", "open_quotient_above_20_percent",
+                                 "closing_quotient", "speed_quotient", "area_peak_m2", "flow_peak_m3_s",
+                                 "flow_mean_m3_s", "flow_declination_m3_s2", "speed_peak_m_s", "jet_speed_m_s",
+                                 "impact_stress_Pa", "leak", "tip_x_amplitude_m", "tip_y_amplitude_m"});
   CHECK(with_depth.cycles.size() == 12);
   const auto& results = with_depth.results;
   CHECK(results.at("folds_f0_Hz") == Approx(125).epsilon(1e-4));
