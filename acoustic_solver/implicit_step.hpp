@@ -36,6 +36,7 @@ class ImplicitStep {
   /// Finds the increment of p to the θ-point, from a guess of it.
   bool solve_step(const SubStep& step, PressureSystem& system, const std::vector<double>& fixed,
                   ImplicitConvection& convection, std::vector<double>& increment, AdvanceReport& report);
+  double norm(const std::vector<double>& owned_values) const;
   /// Assembled for the sub-step.
   PressureSystem& system_for(const SubStep& step);
 
