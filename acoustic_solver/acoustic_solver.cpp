@@ -211,7 +211,7 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   step.flux_at = source.flux;
   for (int s = 0; s < count; ++s) {
     step.begin = start + s * step.dt;
-    if (here.is_shared && moves) step.slot = s;
+    if (step.is_shared) step.slot = s;
     const double at_theta = (s + theta) / count;
     if (moves) step.place = [&](double part) { place_at((s + part) / count); };
     if (source.begin) {
