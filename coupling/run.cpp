@@ -13,6 +13,7 @@
 #include "coupling/balance.hpp"
 #include "coupling/checkpoint_state.hpp"
 #include "coupling/run_folder.hpp"
+#include "coupling/run_output.hpp"
 #include "coupling/sound/sound_comparison.hpp"
 #include "coupling/sound/sound_table.hpp"
 #include "coupling/summary.hpp"
