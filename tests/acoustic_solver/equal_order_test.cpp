@@ -6,35 +6,20 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
-#include "core/mesh/generate.hpp"
+#include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"
 
 namespace vocalis::acoustic {
+
+using namespace test;
+
 namespace {
 
-mesh::Mesh unit_box(MPI_Comm comm, int dimension, int cells) {
-  return mesh::distribute(comm, mesh::box(comm, {1, 0.5, dimension == 3 ? 0.25 : 0.0}, {cells, cells / 2, cells / 4}));
-}
-
 AcousticSettings equal_order(double subscale_constant) {
-  AcousticSettings settings;
-  settings.speed_of_sound = 1;
-  settings.density = 2;
-  settings.step = 0.05;
-  settings.solver_tolerance = 1e-12;
+  AcousticSettings settings = unit_medium(0.05);
   settings.velocity_elements = VelocityElements::p1;
   settings.subscale_constant = subscale_constant;
   return settings;
-}
-
-State bump(const mesh::Mesh& mesh) {
-  State state;
-  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
-    const double* x = mesh.point(v);
-    state.p.push_back(std::exp(-std::pow((x[0] - 0.3) / 0.15, 2) - std::pow((x[1] - 0.2) / 0.15, 2)));
-  }
-  state.psi.assign(state.p.size(), 0.0);
-  return state;
 }
 
 /// Pressure at every vertex of the input mesh, with walls, an open end, a moving inside and p = 0 at the top.
@@ -46,17 +31,11 @@ std::vector<double> run_everything(MPI_Comm comm, int dimension) {
                          {"top", AcousticBoundaryKind::pressure_release}};
   AcousticSolver solver(mesh, settings);
   solver.set_state(bump(mesh));
-  std::vector<double> moved = mesh.coordinates;
-  for (std::size_t v = 0; v < moved.size(); v += dimension) {
-    moved[v] += 0.02 * std::sin(M_PI * moved[v]) * std::sin(2 * M_PI * moved[v + 1]);
-  }
+  const std::vector<double> moved = deformed(mesh, 0.02);
   bool converged = solver.advance(0.1, Motion{mesh.coordinates, moved}).converged;
   converged = converged && solver.advance(0.1, Motion{moved, mesh.coordinates}).converged;
   REQUIRE_ON_ALL_RANKS(converged);
-  std::vector<double> all(mesh.vertices.num_global, 0.0);
-  for (std::int32_t v = 0; v < mesh.vertices.num_owned; ++v) all[mesh.vertex_input[v]] = solver.state().p[v];
-  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, comm);
-  return all;
+  return by_input_number(mesh, solver.state().p);
 }
 
 }  // namespace
@@ -96,13 +75,8 @@ TEST_CASE("equal order does not depend on the number of ranks") {
   for (const int dimension : {2, 3}) {
     const auto alone = run_everything(MPI_COMM_SELF, dimension);
     const auto together = run_everything(MPI_COMM_WORLD, dimension);
-    double largest = 0, difference = 0;
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-      largest = std::max(largest, std::abs(alone[i]));
-      difference = std::max(difference, std::abs(alone[i] - together[i]));
-    }
-    CHECK(largest > 0.1);
-    CHECK(difference < 1e-10 * largest);
+    CHECK(largest(alone) > 0.1);
+    CHECK(largest_difference(alone, together) < 1e-10 * largest(alone));
   }
 }
 

@@ -8,28 +8,16 @@
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "acoustic_solver/row_order.hpp"
 #include "core/base/mpi.hpp"
-#include "core/mesh/generate.hpp"
+#include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"
 
 namespace vocalis::acoustic {
+
+using namespace test;
+
 namespace {
 
 using std::numbers::pi;
-
-AcousticSettings unit_medium(double step, Integrator integrator) {
-  AcousticSettings settings;
-  settings.speed_of_sound = 1;
-  settings.density = 2;
-  settings.step = step;
-  settings.solver_tolerance = 1e-12;
-  settings.integrator = integrator;
-  return settings;
-}
-
-mesh::Mesh unit_box(int dimension, int cells) {
-  return mesh::distribute(
-      MPI_COMM_WORLD, mesh::box(MPI_COMM_WORLD, {1, 0.5, dimension == 3 ? 0.25 : 0.0}, {cells, cells / 2, cells / 4}));
-}
 
 /// One period of it lasts 2.
 State standing_wave(const mesh::Mesh& mesh) {
@@ -59,7 +47,7 @@ double product(const mesh::Mesh& mesh, const std::vector<double>& a, const std::
 /// Leap-frog on one mesh, at a part of its stable step.
 struct LeapFrog {
   LeapFrog(int dimension, double part_of_stable_step)
-      : mesh(unit_box(dimension, 8)),
+      : mesh(unit_box(MPI_COMM_WORLD, dimension, 8)),
         settings(unit_medium(1, Integrator::leap_frog)),
         space(fem::lagrange(mesh, 1)),
         wave(mesh, space, settings),
@@ -117,7 +105,7 @@ double mean_energy(AcousticSolver& solver) {
 TEST_CASE("the energy of a rigid cavity changes by less than 1e-3 in a thousand periods, by either integrator",
           "[serial]") {
   for (const int dimension : {2, 3}) {
-    const mesh::Mesh mesh = unit_box(dimension, 8);
+    const mesh::Mesh mesh = unit_box(MPI_COMM_WORLD, dimension, 8);
     for (const Integrator integrator : {Integrator::implicit, Integrator::leap_frog}) {
       AcousticSolver solver(mesh, unit_medium(0.1, integrator));
       solver.set_state(standing_wave(mesh));

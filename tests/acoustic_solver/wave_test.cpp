@@ -6,58 +6,14 @@
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
-#include "core/mesh/generate.hpp"
+#include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"
 
 namespace vocalis::acoustic {
+
+using namespace test;
+
 namespace {
-
-AcousticSettings unit_medium(double step, Integrator integrator = Integrator::implicit) {
-  AcousticSettings settings;
-  settings.integrator = integrator;
-  settings.speed_of_sound = 1;
-  settings.density = 2;
-  settings.step = step;
-  settings.solver_tolerance = 1e-12;
-  return settings;
-}
-
-mesh::Mesh unit_box(MPI_Comm comm, int dimension, int cells) {
-  return mesh::distribute(comm, mesh::box(comm, {1, 0.5, dimension == 3 ? 0.25 : 0.0}, {cells, cells / 2, cells / 4}));
-}
-
-/// A smooth bump of pressure that is not symmetric, zero potential.
-State bump(const mesh::Mesh& mesh) {
-  State state;
-  state.psi.assign(mesh.num_vertices(), 0.0);
-  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
-    double square = 0;
-    const double centre[3] = {0.3, 0.2, 0.1};
-    for (int k = 0; k < mesh.dimension; ++k) square += std::pow((mesh.point(v)[k] - centre[k]) / 0.15, 2);
-    state.p.push_back(std::exp(-square));
-  }
-  return state;
-}
-
-/// x moved by a smooth field that vanishes on the boundary.
-std::vector<double> deformed(const mesh::Mesh& mesh, double amplitude) {
-  std::vector<double> result = mesh.coordinates;
-  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
-    const double* x = mesh.point(v);
-    double shape = std::sin(std::numbers::pi * x[0]) * std::sin(2 * std::numbers::pi * x[1]);
-    if (mesh.dimension == 3) shape *= std::sin(4 * std::numbers::pi * x[2]);
-    result[static_cast<std::size_t>(v) * mesh.dimension] += amplitude * shape;
-  }
-  return result;
-}
-
-/// Pressure at every vertex of the input mesh, on every rank.
-std::vector<double> by_input_number(const mesh::Mesh& mesh, const std::vector<double>& values) {
-  std::vector<double> all(mesh.vertices.num_global, 0.0);
-  for (std::int32_t v = 0; v < mesh.vertices.num_owned; ++v) all[mesh.vertex_input[v]] = values[v];
-  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, mesh.comm);
-  return all;
-}
 
 /// Walls, an open end, a flux, a distributed source and a mesh that moves and then stands still together.
 std::vector<double> run_everything(MPI_Comm comm, int dimension, Integrator integrator) {
@@ -94,13 +50,8 @@ TEST_CASE("sound does not depend on the number of ranks") {
     const auto alone = run_everything(MPI_COMM_SELF, dimension, integrator);
     const auto together = run_everything(MPI_COMM_WORLD, dimension, integrator);
     REQUIRE_ON_ALL_RANKS(alone.size() == together.size());
-    double largest = 0, difference = 0;
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-      largest = std::max(largest, std::abs(alone[i]));
-      difference = std::max(difference, std::abs(alone[i] - together[i]));
-    }
-    CHECK(largest > 0.1);
-    CHECK(difference < 1e-10 * largest);
+    CHECK(largest(alone) > 0.1);
+    CHECK(largest_difference(alone, together) < 1e-10 * largest(alone));
   }
 }
 

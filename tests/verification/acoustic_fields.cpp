@@ -12,6 +12,17 @@
 
 namespace vocalis::acoustic::verification {
 
+AcousticSettings unit_medium(double step, Integrator integrator) {
+  AcousticSettings settings;
+  settings.density = 1;
+  settings.speed_of_sound = 1;
+  settings.step = step;
+  settings.integrator = integrator;
+  return settings;
+}
+
+const char* name(Integrator integrator) { return integrator == Integrator::implicit ? "implicit" : "explicit"; }
+
 mesh::Mesh box_mesh(std::array<double, 3> size, std::array<int, 3> cells) {
   return mesh::distribute(MPI_COMM_WORLD, mesh::box(MPI_COMM_WORLD, size, cells));
 }

@@ -13,6 +13,11 @@ namespace vocalis::acoustic::verification {
 /// A function of the point and time.
 using SpaceTime = std::function<double(std::span<const double> point, double time)>;
 
+/// Density and speed of sound 1.
+AcousticSettings unit_medium(double step, Integrator integrator);
+
+const char* name(Integrator integrator);
+
 /// A box of the given edges, on the ranks of the world, with cells about as long in all directions; 2-D if size[2] = 0.
 mesh::Mesh box_mesh(std::array<double, 3> size, std::array<int, 3> cells);
 

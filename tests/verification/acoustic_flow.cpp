@@ -16,17 +16,6 @@ using std::numbers::pi;
 
 constexpr double kHeight = 0.2;
 
-AcousticSettings unit_medium(double step, Integrator integrator) {
-  AcousticSettings settings;
-  settings.density = 1;
-  settings.speed_of_sound = 1;
-  settings.step = step;
-  settings.integrator = integrator;
-  return settings;
-}
-
-const char* name(Integrator integrator) { return integrator == Integrator::implicit ? "implicit" : "explicit"; }
-
 /// A duct 0 < x < length with square cells of length 1 / cells.
 mesh::Mesh duct(double length, int cells) {
   return box_mesh({length, kHeight, 0}, {static_cast<int>(std::lround(length * cells)), cells / 5, 0});

@@ -13,17 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-AcousticSettings unit_medium(double step, Integrator integrator) {
-  AcousticSettings settings;
-  settings.density = 1;
-  settings.speed_of_sound = 1;
-  settings.step = step;
-  settings.integrator = integrator;
-  return settings;
-}
-
-const char* name(Integrator integrator) { return integrator == Integrator::implicit ? "implicit" : "explicit"; }
-
 enum class Ends { hard, released };
 
 /// Sound in a cavity 0 < x < 1 + v t: u·n = 0 at hard ends, the one that moves too, or p = 0 at released ones.
