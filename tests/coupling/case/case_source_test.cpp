@@ -1,8 +1,7 @@
-#include "coupling/case/case.hpp"
-
 #include <cmath>
 
 #include "core/io/wav.hpp"
+#include "coupling/case/case.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/coupling/case/case_folder.hpp"
 
