@@ -42,4 +42,10 @@ std::vector<double> AcousticPerturbation::head(const FlowView& flow, const std::
   return result;
 }
 
+std::vector<std::vector<double>*> AcousticPerturbation::memory() {
+  auto result = mean_velocity_.memory();
+  for (auto* values : mean_load_.memory()) result.push_back(values);
+  return result;
+}
+
 }  // namespace vocalis::coupling

@@ -11,8 +11,8 @@ namespace vocalis::coupling {
 ///   (1 / (ρ c²)) D²(ρB')/Dt² - Δ(ρB') / ρ = div (ω × u)',   D/Dt = ∂t + U·∇,     p' = ρ (B' - U·u')
 ///
 /// (ω × u)' is the Lamb vector less its mean, u' = u_ic - U. Gradients of U in the operator are left out: they turn
-/// sound into vorticity, an effect of the order of M. Both means forget with `mean_time`, so that the first few of it
-/// are a start. p' is the total pressure but for its mean. Needs of the flow: u_ic.
+/// sound into vorticity, an effect of the order of M. Both means forget with `mean_time`, so that the first of it is a
+/// start. p' is the total pressure but for its mean. Needs of the flow: u_ic.
 class AcousticPerturbation : public Analogy {
  public:
   AcousticPerturbation(const acoustic::AnalogySettings& settings, AnalogyMedium medium);
@@ -21,7 +21,7 @@ class AcousticPerturbation : public Analogy {
   AnalogySource source(const FlowView& flow) const override;
   std::vector<double> convection(const FlowView& flow) const override;
   std::vector<double> head(const FlowView& flow, const std::vector<double>& velocity) const override;
-  std::vector<std::vector<double>*> memory() override { return {mean_velocity_.memory(), mean_load_.memory()}; }
+  std::vector<std::vector<double>*> memory() override;
 
  private:
   AnalogyMedium medium_;

@@ -30,7 +30,7 @@ std::vector<double> ConvectedPressureRate::convection(const FlowView& flow) cons
 
 std::vector<std::vector<double>*> ConvectedPressureRate::memory() {
   if (!by_mean_) return {};
-  return {mean_.memory()};
+  return mean_.memory();
 }
 
 }  // namespace vocalis::coupling
