@@ -26,27 +26,35 @@ struct SpinningPair {
   double angular_velocity() const { return circulation / (4 * M_PI * orbit * orbit); }
   double period() const { return M_PI / angular_velocity(); }  ///< of the sound [s]
   double wavelength() const { return speed_of_sound * period(); }
+  double mach_number() const { return angular_velocity() * orbit / speed_of_sound; }
+  double flow_radius() const {
+    return 1.4 * wavelength();
+  }  ///< of the disc in which the flow is taken into account [m]
 };
 
 /// The parameter sets of two programs' examples.
 inline SpinningPair exadg() { return {7.54, 1, 0.1, 12, 2}; }
 inline SpinningPair trixi() { return {4 * M_PI / 9, 1, 2.0 / 9, 1, 1}; }
 
-/// C of the far field p = Re C exp(2iωt), p = A [J2(kr) sin ψ - Y2(kr) cos ψ], ψ = 2 (ωt - θ), k = 2ω / c,
-/// A = ρ Γ⁴ / (64 π³ r0⁴ c²).
+/// A of the far field, ρ Γ⁴ / (64 π³ r0⁴ c²) [Pa].
+inline double strength(const SpinningPair& pair) {
+  return pair.density * std::pow(pair.circulation, 4) /
+         (64 * std::pow(M_PI, 3) * std::pow(pair.orbit, 4) * std::pow(pair.speed_of_sound, 2));
+}
+
+/// C of the far field p = Re C exp(2iωt), p = A [J2(kr) sin ψ - Y2(kr) cos ψ], ψ = 2 (ωt - θ), k = 2ω / c.
 inline std::complex<double> far_field(const SpinningPair& pair, double r, double theta) {
   const double kr = 2 * pair.angular_velocity() / pair.speed_of_sound * r;
-  const double A = pair.density * std::pow(pair.circulation, 4) /
-                   (64 * std::pow(M_PI, 3) * std::pow(pair.orbit, 4) * std::pow(pair.speed_of_sound, 2));
-  return A * std::complex<double>(-std::cyl_neumann(2, kr), -std::cyl_bessel_j(2, kr)) * std::polar(1.0, -2 * theta);
+  return strength(pair) * std::complex<double>(-std::cyl_neumann(2, kr), -std::cyl_bessel_j(2, kr)) *
+         std::polar(1.0, -2 * theta);
 }
 
 /// What is left of the tensor's quadrupole ∫ u u as the cores are wide: over that of point vortices,
-/// 2 ∫ J2(2k r0) f(k)² / k dk, where f(k) = k r_c K1(k r_c) is the transform of a Scully vortex, 1 - O((r_c/r0)²). With
-/// Gaussian cores it is 1 - exp(-2 (r0/r_c)²) (...), which is 1.
+/// 2 ∫ J2(2k r0) f(k)² / k dk, where f is the transform of a core: k r_c K1(k r_c) of Scully's, and of Gaussian ones
+/// exp(-k² r_c² / 4), with which it is 1 - (1 - exp(-z)) / z, z = 2 (r0 / r_c)².
 inline double quadrupole_of_cores(const SpinningPair& pair) {
-  if (pair.core == Core::gaussian) return 1;
   const double s = pair.core_radius / pair.orbit, step = 0.01;
+  if (pair.core == Core::gaussian) return 1 + std::expm1(-2 / (s * s)) * s * s / 2;
   double sum = 0;
   for (double x = step / 2; s * x < 40; x += step) {
     sum += std::cyl_bessel_j(2, 2 * x) * std::pow(s * x * std::cyl_bessel_k(1, s * x), 2) / x * step;
@@ -64,6 +72,12 @@ inline Point swirl(const SpinningPair& pair, double x, double y) {
       pair.core == Core::scully ? 1 / (core + square) : (q > 1e-9 ? -std::expm1(-q) / square : 1 / core);
   const double factor = pair.circulation / (2 * M_PI) * over;
   return {-factor * y, factor * x, 0};
+}
+
+/// Its vorticity [1/s].
+inline double spin(const SpinningPair& pair, double x, double y) {
+  const double core = pair.core_radius * pair.core_radius, q = (x * x + y * y) / core;
+  return pair.circulation / (M_PI * core) * (pair.core == Core::scully ? 1 / ((1 + q) * (1 + q)) : std::exp(-q));
 }
 
 /// Its pressure alone, -ρ ∫ u_θ² / r dr from there to infinity.
@@ -109,6 +123,11 @@ inline MadeFlow made_flow(const SpinningPair& pair) {
            both.suction;
   };
   return flow;
+}
+
+/// ω_z of both at time 0 [1/s].
+inline double vorticity(const SpinningPair& pair, const Point& x) {
+  return detail::spin(pair, x[0] - pair.orbit, x[1]) + detail::spin(pair, x[0] + pair.orbit, x[1]);
 }
 
 }  // namespace vocalis::coupling::test
