@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/mpi.hpp"
+#include "acoustic_solver/relative_change.hpp"
 
 namespace vocalis::acoustic {
 
@@ -54,8 +54,7 @@ bool ImplicitConvection::has_settled(double tolerance) const {
     change += std::pow(density_ * (rates_[v] - before_[v]), 2);
     size += std::pow(convected_[v], 2);
   }
-  const MPI_Comm comm = space_->mesh->comm;
-  return base::sum(comm, change) <= tolerance * tolerance * base::sum(comm, size);
+  return is_small_change(space_->mesh->comm, change, size, tolerance);
 }
 
 void ImplicitConvection::finish(const std::vector<double>& increment, double dt, double theta, State& state) const {
@@ -70,7 +69,7 @@ void ImplicitConvection::add_terms(std::vector<double>& right_hand_side) const {
   std::vector<double> terms(held_.size(), 0.0), scaled = held_;
   wave_->add_convection(convected_, wave_->momentum(convected_), terms);
   for (double& value : scaled) value *= beta_;
-  wave_->add_stiffness(-1, scaled, terms);
+  wave_->add_convecting_stiffness(-1, scaled, terms);
   if (wave_->flows()) {
     for (std::size_t v = 0; v < scaled.size(); ++v) scaled[v] = density_ * held_[v];
     wave_->add_open_admittance(-1, scaled, terms);

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
-#include "core/base/mpi.hpp"
+#include "acoustic_solver/relative_change.hpp"
 
 namespace vocalis::acoustic {
 
@@ -49,10 +48,14 @@ ImplicitStep::ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, cons
       theta_(settings.theta),
       tolerance_(settings.solver_tolerance) {}
 
-double ImplicitStep::norm(const std::vector<double>& owned_values) const {
-  double square = 0;
-  for (std::int32_t i = 0; i < space_->dofs.num_owned; ++i) square += owned_values[i] * owned_values[i];
-  return std::sqrt(base::sum(mesh_->comm, square));
+bool ImplicitStep::is_small(const std::vector<double>& difference, const std::vector<double>& values,
+                            double part) const {
+  double change = 0, size = 0;
+  for (std::int32_t i = 0; i < space_->dofs.num_owned; ++i) {
+    change += difference[i] * difference[i];
+    size += values[i] * values[i];
+  }
+  return is_small_change(mesh_->comm, change, size, part);
 }
 
 PressureSystem& ImplicitStep::system_for(const SubStep& step) {
@@ -76,7 +79,7 @@ bool ImplicitStep::solve_step(const SubStep& step, PressureSystem& system, const
     if (pass > 0) {
       for (std::size_t v = 0; v < difference.size(); ++v) difference[v] -= right_hand_side[v];
       for (const std::int32_t v : wave_->released()) difference[v] = 0;
-      if (norm(difference) <= kPassTolerance * tolerance_ * norm(right_hand_side)) return true;
+      if (is_small(difference, right_hand_side, kPassTolerance * tolerance_)) return true;
     }
     if (pass == kLargestPasses) {
       report.converged = false;

@@ -36,7 +36,8 @@ class ImplicitStep {
   /// Finds the increment of p to the θ-point, from a guess of it.
   bool solve_step(const SubStep& step, PressureSystem& system, const std::vector<double>& fixed,
                   ImplicitConvection& convection, std::vector<double>& increment, AdvanceReport& report);
-  double norm(const std::vector<double>& owned_values) const;
+  /// Whether the difference is at most this part of the values, in the 2-norm. Collective.
+  bool is_small(const std::vector<double>& difference, const std::vector<double>& values, double part) const;
   /// Assembled for the sub-step.
   PressureSystem& system_for(const SubStep& step);
 

@@ -12,9 +12,12 @@ namespace {
 
 /// Owned cells with a vertex whose row of (vertices, dimension) values is not zero.
 std::vector<std::int32_t> cells_with(const mesh::Mesh& mesh, std::span<const double> velocity) {
+  if (velocity.empty()) return {};
+  const int d = mesh.dimension;
   std::vector<char> marks(mesh.num_vertices(), 0);
-  for (std::size_t i = 0; i < velocity.size(); ++i) {
-    if (velocity[i] != 0) marks[i / mesh.dimension] = 1;
+  for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
+    const auto first = velocity.begin() + static_cast<std::ptrdiff_t>(v) * d;
+    marks[v] = std::any_of(first, first + d, [](double value) { return value != 0; });
   }
   std::vector<std::int32_t> cells;
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
@@ -78,24 +81,26 @@ double WaveOperator::largest_flow_speed() const {
   return std::sqrt(largest);
 }
 
-void WaveOperator::add_convection(std::span<const double> pressure, std::span<const double> momentum,
-                                  std::span<double> sums) const {
-  const int d = mesh_->dimension;
+template <int D>
+void WaveOperator::add_mesh_convection(std::span<const double> pressure, std::span<double> sums) const {
   for (const std::int32_t cell : moving_cells_) {
-    const auto vertices = mesh_->vertices_of(cell);
-    double rate[4], total = 0;  // of ∇p with β at each vertex
-    double slope[3] = {0, 0, 0};
-    for (int i = 0; i <= d; ++i) {
-      for (int k = 0; k < d; ++k) slope[k] += pressure[vertices[i]] * gradient(cell, i)[k];
-    }
-    for (int i = 0; i <= d; ++i) {
-      rate[i] = 0;
-      for (int k = 0; k < d; ++k) rate[i] += mesh_velocity_[static_cast<std::size_t>(vertices[i]) * d + k] * slope[k];
+    const std::int32_t* vertices = corners<D>(cell);
+    const std::array<double, D> up = slope<D>(cell, pressure);
+    std::array<double, D + 1> rate = {};  // of ∇p with β at each vertex
+    double total = 0;
+    for (int i = 0; i <= D; ++i) {
+      const double* beta = mesh_velocity_.data() + static_cast<std::size_t>(vertices[i]) * D;
+      for (int k = 0; k < D; ++k) rate[i] += beta[k] * up[k];
       total += rate[i];
     }
-    const double weight = inverse_bulk_modulus_ * measures_[cell] / ((d + 1) * (d + 2));
-    for (int i = 0; i <= d; ++i) sums[vertices[i]] += weight * (total + rate[i]);
+    const double weight = inverse_bulk_modulus_ * measures_[cell] / ((D + 1) * (D + 2));
+    for (int i = 0; i <= D; ++i) sums[vertices[i]] += weight * (total + rate[i]);
   }
+}
+
+void WaveOperator::add_convection(std::span<const double> pressure, std::span<const double> momentum,
+                                  std::span<double> sums) const {
+  mesh_->dimension == 2 ? add_mesh_convection<2>(pressure, sums) : add_mesh_convection<3>(pressure, sums);
   if (flows_) add_flow(pressure, momentum, sums);
 }
 
@@ -125,22 +130,31 @@ std::vector<double> WaveOperator::flow_measures() const {
   return sums;
 }
 
+template <int D>
+void WaveOperator::add_flow_of_cells(std::span<const double> momentum, const std::vector<double>& around,
+                                     std::span<double> sums) const {
+  for (const std::int32_t cell : flow_cells_) {
+    const std::int32_t* vertices = corners<D>(cell);
+    const double* g = gradient(cell, 0);
+    std::array<double, D> flux = {};
+    for (int i = 0; i <= D; ++i) {
+      const double* u = medium_velocity_.data() + static_cast<std::size_t>(vertices[i]) * D;
+      const double part = momentum[vertices[i]] * measures_[cell] / around[vertices[i]];
+      for (int k = 0; k < D; ++k) flux[k] += part * u[k];
+    }
+    for (int i = 0; i <= D; ++i) {
+      double product = 0;
+      for (int k = 0; k < D; ++k) product += flux[k] * g[i * D + k];
+      sums[vertices[i]] += product;
+    }
+  }
+}
+
 void WaveOperator::add_flow(std::span<const double> pressure, std::span<const double> momentum,
                             std::span<double> sums) const {
   const int d = mesh_->dimension;
   const std::vector<double> around = flow_measures();
-  for (const std::int32_t cell : flow_cells_) {
-    const auto vertices = mesh_->vertices_of(cell);
-    double flux[3] = {0, 0, 0};
-    for (const std::int32_t v : vertices) {
-      const double* u = medium_velocity_.data() + static_cast<std::size_t>(v) * d;
-      const double part = momentum[v] * measures_[cell] / around[v];
-      for (int k = 0; k < d; ++k) flux[k] += part * u[k];
-    }
-    for (int i = 0; i <= d; ++i) {
-      for (int k = 0; k < d; ++k) sums[vertices[i]] += flux[k] * gradient(cell, i)[k];
-    }
-  }
+  d == 2 ? add_flow_of_cells<2>(momentum, around, sums) : add_flow_of_cells<3>(momentum, around, sums);
   if (medium_velocity_.empty()) return;
   for (const BoundaryFacet& facet : moving_walls_) {
     const double* inward = gradient(facet.cell, facet.index);
@@ -159,6 +173,20 @@ void WaveOperator::add_flow(std::span<const double> pressure, std::span<const do
   }
 }
 
+template <int D>
+void WaveOperator::add_slopes(std::span<const double> potential, int columns, std::span<double> sums) const {
+  for (const std::int32_t cell : convecting_cells_) {
+    const std::int32_t* vertices = corners<D>(cell);
+    std::array<double, D> up = slope<D>(cell, potential);
+    for (double& value : up) value *= measures_[cell];
+    for (int i = 0; i <= D; ++i) {
+      double* sum = sums.data() + static_cast<std::size_t>(vertices[i]) * columns;
+      for (int k = 0; k < D; ++k) sum[k] += up[k];
+      sum[D] += measures_[cell];
+    }
+  }
+}
+
 void WaveOperator::potential_convection(std::span<const double> potential, std::span<const double> pressure,
                                         std::vector<double>& rates,
                                         std::span<const std::vector<double>> wall_velocities) const {
@@ -167,18 +195,7 @@ void WaveOperator::potential_convection(std::span<const double> potential, std::
   const int d = mesh_->dimension;
   const int columns = 2 * d + 3;
   std::vector<double> sums(static_cast<std::size_t>(mesh_->num_vertices()) * columns, 0.0);
-  for (const std::int32_t cell : convecting_cells_) {
-    const auto vertices = mesh_->vertices_of(cell);
-    double slope[3] = {0, 0, 0};
-    for (int i = 0; i <= d; ++i) {
-      for (int k = 0; k < d; ++k) slope[k] += potential[vertices[i]] * gradient(cell, i)[k];
-    }
-    for (const std::int32_t vertex : vertices) {
-      double* sum = sums.data() + static_cast<std::size_t>(vertex) * columns;
-      for (int k = 0; k < d; ++k) sum[k] += measures_[cell] * slope[k];
-      sum[d] += measures_[cell];
-    }
-  }
+  d == 2 ? add_slopes<2>(potential, columns, sums) : add_slopes<3>(potential, columns, sums);
   for (const BoundaryFacet& facet : moving_walls_) {
     const double* inward = gradient(facet.cell, facet.index);
     const double length = std::sqrt(std::inner_product(inward, inward + d, inward, 0.0));

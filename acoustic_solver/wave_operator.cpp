@@ -22,8 +22,7 @@ WaveOperator::WaveOperator(const mesh::Mesh& mesh, const fem::Space& space, cons
       facets_(boundary_conditions(mesh, settings)),
       coordinates_(mesh.coordinates),
       gradients_(static_cast<std::size_t>(mesh.num_cells()) * (mesh.dimension + 1) * mesh.dimension),
-      measures_(mesh.num_cells()),
-      lengths_(mesh.num_cells()) {
+      measures_(mesh.num_cells()) {
   if (settings.velocity_elements == VelocityElements::p1) subscales_.emplace(mesh, space);
   for (const AcousticBoundary& boundary : settings.boundaries) {
     wall_branches_.push_back(acoustic::wall_branches(settings, boundary));
@@ -45,9 +44,11 @@ bool WaveOperator::set_geometry(std::span<const double> coordinates) {
   const int d = mesh_->dimension;
   std::vector<char> moved(mesh_->num_vertices(), 0);
   bool any = false;
-  for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    if (coordinates[i] == coordinates_[i]) continue;
-    moved[i / d] = 1;
+  for (std::int32_t v = 0; v < mesh_->num_vertices(); ++v) {
+    const auto first = static_cast<std::ptrdiff_t>(v) * d;
+    if (std::equal(coordinates.begin() + first, coordinates.begin() + first + d, coordinates_.begin() + first))
+      continue;
+    moved[v] = 1;
     any = true;
   }
   if (!any) return false;
@@ -65,7 +66,6 @@ void WaveOperator::compute_cells(const std::vector<char>& vertex_moved) {
     for (int i = 0; i <= D; ++i) corners[i] = coordinates_.data() + static_cast<std::size_t>(vertices[i]) * D;
     const auto geometry = fem::simplex_geometry<D>(corners);
     measures_[cell] = geometry.measure;
-    lengths_[cell] = cell_length(*mesh_, coordinates_, cell);
     for (int i = 0; i <= D; ++i) {
       std::copy(geometry.gradient[i].begin(), geometry.gradient[i].end(),
                 gradients_.begin() + (static_cast<std::ptrdiff_t>(cell) * (D + 1) + i) * D);
@@ -82,22 +82,28 @@ double WaveOperator::facet_weight(const BoundaryFacet& facet) const {
   return d * measures_[facet.cell] * std::sqrt(square) / (d * (d + 1));
 }
 
-void WaveOperator::system_values(double a, double b, std::vector<double>& values) const {
-  const int d = mesh_->dimension;
-  const int n = d + 1;
-  values.resize(measures_.size() * n * n);
+template <int D>
+void WaveOperator::system_values_of_cells(double a, double b, std::vector<double>& values) const {
+  constexpr int n = D + 1;
   for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
     double* entry = values.data() + static_cast<std::size_t>(cell) * n * n;
+    const double* g = gradient(cell, 0);
     const double mass = a * inverse_bulk_modulus_ * measures_[cell] / (n * (n + 1));
     const double stiffness = b * measures_[cell];
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) {
         double product = 0;
-        for (int k = 0; k < d; ++k) product += gradient(cell, i)[k] * gradient(cell, j)[k];
+        for (int k = 0; k < D; ++k) product += g[i * D + k] * g[j * D + k];
         entry[i * n + j] = (i == j ? 2 : 1) * mass + stiffness * product;
       }
     }
   }
+}
+
+void WaveOperator::system_values(double a, double b, std::vector<double>& values) const {
+  const int n = mesh_->dimension + 1;
+  values.resize(measures_.size() * n * n);
+  n == 3 ? system_values_of_cells<2>(a, b, values) : system_values_of_cells<3>(a, b, values);
   for (const BoundaryFacet& facet : facets_) {
     double coefficient = facet.on_pressure + b * facet.on_potential;
     if (facet.wall >= 0) {
@@ -116,14 +122,16 @@ void WaveOperator::system_values(double a, double b, std::vector<double>& values
 
 double WaveOperator::smallest_length() const {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const double length : lengths_) smallest = std::min(smallest, length);
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    smallest = std::min(smallest, cell_length(*mesh_, coordinates_, cell));
+  }
   return smallest;
 }
 
 std::vector<double> WaveOperator::subscale_weights(double factor, bool damps) const {
   std::vector<double> weights = measures_;
-  for (std::size_t cell = 0; cell < weights.size(); ++cell) {
-    weights[cell] *= damps ? factor * subscale_time_ * lengths_[cell] : factor;
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    weights[cell] *= damps ? factor * subscale_time_ * cell_length(*mesh_, coordinates_, cell) : factor;
   }
   return weights;
 }
@@ -135,30 +143,22 @@ void WaveOperator::add_subscales(double b, std::span<const double> x, std::span<
 }
 
 template <int D>
-void WaveOperator::add_cell_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const {
-  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
-    const std::int32_t* vertices = mesh_->cell_vertices.data() + static_cast<std::size_t>(cell) * (D + 1);
-    const double* g = gradient(cell, 0);
-    std::array<double, D> slope = {};
-    for (int i = 0; i <= D; ++i) {
-      for (int k = 0; k < D; ++k) slope[k] += potential[vertices[i]] * g[i * D + k];
-    }
-    for (int i = 0; i <= D; ++i) {
-      double product = 0;
-      for (int k = 0; k < D; ++k) product += slope[k] * g[i * D + k];
-      sums[vertices[i]] += factor * measures_[cell] * product;
-    }
+inline void WaveOperator::add_stiffness_of_cell(std::int32_t cell, double factor, std::span<const double> potential,
+                                                std::span<double> sums) const {
+  const std::int32_t* vertices = corners<D>(cell);
+  const double* g = gradient(cell, 0);
+  const std::array<double, D> down = slope<D>(cell, potential);
+  for (int i = 0; i <= D; ++i) {
+    double product = 0;
+    for (int k = 0; k < D; ++k) product += down[k] * g[i * D + k];
+    sums[vertices[i]] += factor * measures_[cell] * product;
   }
 }
 
-void WaveOperator::add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const {
+void WaveOperator::add_stiffness_of_rest(double factor, std::span<const double> potential,
+                                         std::span<double> sums) const {
   const int d = mesh_->dimension;
   if (subscales_) subscales_->add(gradients_, subscale_weights(-factor, false), potential, sums);
-  if (d == 2) {
-    add_cell_stiffness<2>(factor, potential, sums);
-  } else {
-    add_cell_stiffness<3>(factor, potential, sums);
-  }
   for (const BoundaryFacet& facet : facets_) {
     if (facet.on_potential == 0) continue;
     const double weight = factor * facet.on_potential * facet_weight(facet);
@@ -169,6 +169,25 @@ void WaveOperator::add_stiffness(double factor, std::span<const double> potentia
       if (i != facet.index) sums[vertices[i]] += weight * (total + potential[vertices[i]]);
     }
   }
+}
+
+void WaveOperator::add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const {
+  const bool is_plane = mesh_->dimension == 2;
+  for (std::int32_t cell = 0; cell < mesh_->num_cells(); ++cell) {
+    is_plane ? add_stiffness_of_cell<2>(cell, factor, potential, sums)
+             : add_stiffness_of_cell<3>(cell, factor, potential, sums);
+  }
+  add_stiffness_of_rest(factor, potential, sums);
+}
+
+void WaveOperator::add_convecting_stiffness(double factor, std::span<const double> potential,
+                                            std::span<double> sums) const {
+  const bool is_plane = mesh_->dimension == 2;
+  for (const std::int32_t cell : convecting_cells_) {
+    is_plane ? add_stiffness_of_cell<2>(cell, factor, potential, sums)
+             : add_stiffness_of_cell<3>(cell, factor, potential, sums);
+  }
+  add_stiffness_of_rest(factor, potential, sums);
 }
 
 void WaveOperator::add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,8 +50,10 @@ class WaveOperator {
   /// What velocities in P1 change in the product of that matrix with x; nothing if they are in P0. Collective.
   void add_subscales(double b, std::span<const double> x, std::span<double> sums) const;
 
-  /// Both collective.
+  /// Collective, as are the next two.
   void add_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const;
+  /// The same of a function that is 0 at the vertices where β - U is.
+  void add_convecting_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const;
   void add_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const;
   /// The part of `add_admittance` that open boundaries have.
   void add_open_admittance(double factor, std::span<const double> pressure, std::span<double> sums) const;
@@ -74,7 +77,7 @@ class WaveOperator {
   /// Acoustic energy ½ p²/(ρ c²) + ½ ρ |∇ψ|², over all ranks [J; J/m in two dimensions]. Collective.
   double energy(std::span<const double> pressure, std::span<const double> potential) const;
 
-  /// h [m] of this rank's smallest cell; infinite without cells.
+  /// h [m] of this rank's smallest cell; infinite without cells. Looks at all of them.
   double smallest_length() const;
   /// Owned vertices with p = 0.
   const std::vector<std::int32_t>& released() const { return released_; }
@@ -98,7 +101,27 @@ class WaveOperator {
 
  private:
   template <int D>
-  void add_cell_stiffness(double factor, std::span<const double> potential, std::span<double> sums) const;
+  const std::int32_t* corners(std::int32_t cell) const {
+    return mesh_->cell_vertices.data() + static_cast<std::size_t>(cell) * (D + 1);
+  }
+  /// ∇ of a P1 function in a cell. Within loops: a call would pass the numbers through memory.
+  template <int D>
+  [[gnu::always_inline]] std::array<double, D> slope(std::int32_t cell, std::span<const double> values) const;
+  template <int D>
+  [[gnu::always_inline]] void add_stiffness_of_cell(std::int32_t cell, double factor, std::span<const double> potential,
+                                                    std::span<double> sums) const;
+  /// What is not of cells in P1/P0: of open boundaries, and of velocities in P1.
+  void add_stiffness_of_rest(double factor, std::span<const double> potential, std::span<double> sums) const;
+  template <int D>
+  void system_values_of_cells(double a, double b, std::vector<double>& values) const;
+  template <int D>
+  void add_mesh_convection(std::span<const double> pressure, std::span<double> sums) const;
+  template <int D>
+  void add_flow_of_cells(std::span<const double> momentum, const std::vector<double>& around,
+                         std::span<double> sums) const;
+  /// Into rows of `columns` numbers a vertex: measure x ∇ψ over its cells with v, and their measure.
+  template <int D>
+  void add_slopes(std::span<const double> potential, int columns, std::span<double> sums) const;
   template <int D>
   void compute_cells(const std::vector<char>& vertex_moved);
   void add_facet_admittance(double factor, std::span<const double> pressure, std::span<double> sums,
@@ -121,12 +144,22 @@ class WaveOperator {
   std::vector<double> coordinates_;  ///< (vertices, dimension) [m] of the integrals
   std::vector<double> gradients_;    ///< (cells, dimension + 1, dimension) of the P1 basis [1/m]
   std::vector<double> measures_;     ///< (cells) [m^2, m^3]
-  std::vector<double> lengths_;      ///< (cells) h [m]
   std::vector<double> mesh_velocity_, medium_velocity_, velocity_;          ///< β, U, β - U, each maybe empty
   std::vector<std::int32_t> moving_cells_, flow_cells_, convecting_cells_;  ///< with a vertex of β, U, β - U
   std::vector<BoundaryFacet> moving_walls_;
   std::vector<std::int32_t> inlets_;
   bool flows_ = false, has_inlets_ = false;
 };
+
+template <int D>
+inline std::array<double, D> WaveOperator::slope(std::int32_t cell, std::span<const double> values) const {
+  const std::int32_t* vertices = corners<D>(cell);
+  const double* g = gradient(cell, 0);
+  std::array<double, D> result = {};
+  for (int i = 0; i <= D; ++i) {
+    for (int k = 0; k < D; ++k) result[k] += values[vertices[i]] * g[i * D + k];
+  }
+  return result;
+}
 
 }  // namespace vocalis::acoustic
