@@ -9,6 +9,8 @@ extern "C" {
 void dgesdd_(const char* job, const int* rows, const int* columns, double* matrix, const int* leading, double* values,
              double* left, const int* leading_left, double* right, const int* leading_right, double* work,
              const int* work_size, int* integer_work, int* info, std::size_t);
+void dgeqrf_(const int* rows, const int* columns, double* matrix, const int* leading, double* scales, double* work,
+             const int* work_size, int* info);
 void dgeev_(const char* job_left, const char* job_right, const int* size, double* matrix, const int* leading,
             double* real, double* imaginary, double* left, const int* leading_left, double* right,
             const int* leading_right, double* work, const int* work_size, int* info, std::size_t, std::size_t);
@@ -33,6 +35,26 @@ SingularValues singular_values(DenseMatrix matrix) {
   std::vector<double> work(static_cast<std::size_t>(wanted));
   run(work.data(), static_cast<int>(work.size()));
   if (info != 0) result.values.clear();
+  return result;
+}
+
+DenseMatrix upper_triangle(DenseMatrix matrix) {
+  const int count = std::min(matrix.rows, matrix.columns);
+  DenseMatrix result(count, matrix.columns);
+  if (count == 0) return result;
+  std::vector<double> scales(static_cast<std::size_t>(count));
+  int info = 0;
+  const auto run = [&](double* work, int work_size) {
+    dgeqrf_(&matrix.rows, &matrix.columns, matrix.values.data(), &matrix.rows, scales.data(), work, &work_size, &info);
+  };
+  double wanted = 0;
+  run(&wanted, -1);
+  std::vector<double> work(static_cast<std::size_t>(wanted));
+  run(work.data(), static_cast<int>(work.size()));
+  assert(info == 0);
+  for (int column = 0; column < matrix.columns; ++column) {
+    for (int row = 0; row <= std::min(column, count - 1); ++row) result(row, column) = matrix(row, column);
+  }
   return result;
 }
 

@@ -33,6 +33,9 @@ struct SingularValues {
 /// Singular value decomposition (LAPACK dgesdd).
 SingularValues singular_values(DenseMatrix matrix);
 
+/// R of A = Q R, min(rows, columns) x columns: the least squares of a tall system are those of R's (LAPACK dgeqrf).
+DenseMatrix upper_triangle(DenseMatrix matrix);
+
 /// Eigenvalues of a square matrix (LAPACK dgeev), in no stated order; empty if the iteration failed.
 std::vector<std::complex<double>> eigenvalues(DenseMatrix matrix);
 

@@ -11,6 +11,11 @@ namespace vocalis::acoustic {
 
 namespace {
 
+// Huber's weights: 95 % efficient where errors are normal; the median of |error| is so much of a standard deviation;
+// passes that change formants by far less than what orders differ by.
+constexpr double kHuberLimit = 1.345, kDeviationOfMedian = 1.4826;
+constexpr int kHuberPasses = 10;
+
 double root_mean_square(std::span<const double> values) {
   double squares = 0;
   for (const double value : values) squares += value * value;
@@ -24,35 +29,82 @@ std::vector<double> without_mean(std::vector<double> values) {
   return values;
 }
 
-/// Coefficients a (order), then b (order); empty if the equations have no solution.
-std::vector<double> fit(std::span<const double> source, std::span<const double> response, int order, double& misfit) {
-  const int rows = static_cast<int>(response.size()) - order;
-  DenseMatrix equations(rows, 2 * order);
-  const double source_scale = root_mean_square(source), response_scale = root_mean_square(response);
-  if (source_scale == 0 || response_scale == 0) return {};
-  for (int row = 0; row < rows; ++row) {
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+/// Equations whose last column is what the others, each times its coefficient, shall add up to. Both series over their
+/// scales.
+DenseMatrix regression(std::span<const double> source, double source_scale, std::span<const double> response,
+                       double response_scale, int order) {
+  DenseMatrix result(static_cast<int>(response.size()) - order, 2 * order + 1);
+  for (int row = 0; row < result.rows; ++row) {
     const int n = row + order;
     for (int k = 0; k < order; ++k) {
-      equations(row, k) = response[n - 1 - k] / response_scale;
-      equations(row, order + k) = source[n - k] / source_scale;
+      result(row, k) = response[n - 1 - k] / response_scale;
+      result(row, order + k) = source[n - k] / source_scale;
     }
+    result(row, 2 * order) = response[n] / response_scale;
   }
-  const SingularValues factors = singular_values(equations);
+  return result;
+}
+
+/// Weighted least squares; empty if the equations have no solution.
+std::vector<double> solve(DenseMatrix equations, const std::vector<double>& weights) {
+  for (int j = 0; j < equations.columns; ++j) {
+    for (int row = 0; row < equations.rows; ++row) equations(row, j) *= weights[row];
+  }
+  const DenseMatrix triangle = upper_triangle(std::move(equations));
+  const int unknowns = triangle.columns - 1;
+  DenseMatrix left_side(triangle.rows, unknowns);
+  std::copy_n(triangle.values.begin(), left_side.values.size(), left_side.values.begin());
+  const SingularValues factors = singular_values(std::move(left_side));
   if (factors.values.empty()) return {};
-  std::vector<double> solution(2 * order, 0.0);
-  for (int i = 0; i < 2 * order; ++i) {
+  std::vector<double> solution(unknowns, 0.0);
+  for (int i = 0; i < unknowns; ++i) {
     if (factors.values[i] < 1e-10 * factors.values[0]) break;
     double projection = 0;
-    for (int row = 0; row < rows; ++row) projection += factors.left(row, i) * response[row + order] / response_scale;
-    for (int j = 0; j < 2 * order; ++j) solution[j] += projection / factors.values[i] * factors.right_transposed(i, j);
+    for (int row = 0; row < triangle.rows; ++row) projection += factors.left(row, i) * triangle(row, unknowns);
+    for (int j = 0; j < unknowns; ++j) {
+      solution[j] += projection / factors.values[i] * factors.right_transposed(i, j);
+    }
   }
-  double squares = 0;
-  for (int row = 0; row < rows; ++row) {
-    double left = response[row + order] / response_scale;
-    for (int j = 0; j < 2 * order; ++j) left -= equations(row, j) * solution[j];
-    squares += left * left;
+  return solution;
+}
+
+std::vector<double> residuals(const DenseMatrix& equations, const std::vector<double>& solution) {
+  const int unknowns = equations.columns - 1;
+  std::vector<double> result;
+  for (int row = 0; row < equations.rows; ++row) result.push_back(equations(row, unknowns));
+  for (int j = 0; j < unknowns; ++j) {
+    for (int row = 0; row < equations.rows; ++row) result[row] -= equations(row, j) * solution[j];
   }
-  misfit = std::sqrt(squares / rows);
+  return result;
+}
+
+/// Square roots of Huber's weights: 1 up to some standard deviations, which the median tells, then falling.
+std::vector<double> weights_of(const std::vector<double>& residuals) {
+  std::vector<double> sizes;
+  for (const double residual : residuals) sizes.push_back(std::abs(residual));
+  const double limit = kHuberLimit * kDeviationOfMedian * median(sizes);
+  for (double& size : sizes) size = limit > 0 && size > limit ? std::sqrt(limit / size) : 1;
+  return sizes;
+}
+
+/// Coefficients a (order), then b (order); empty if the equations have no solution.
+std::vector<double> fit(std::span<const double> source, std::span<const double> response, int order, double& misfit) {
+  const double source_scale = root_mean_square(source), response_scale = root_mean_square(response);
+  if (source_scale == 0 || response_scale == 0) return {};
+  const DenseMatrix equations = regression(source, source_scale, response, response_scale, order);
+  std::vector<double> weights(equations.rows, 1.0), solution;
+  for (int pass = 0; pass < kHuberPasses; ++pass) {
+    solution = solve(equations, weights);
+    if (solution.empty()) return {};
+    const std::vector<double> left = residuals(equations, solution);
+    misfit = root_mean_square(left);
+    weights = weights_of(left);
+  }
   for (int k = 0; k < order; ++k) solution[order + k] *= response_scale / source_scale;
   return solution;
 }
@@ -104,11 +156,6 @@ std::vector<Formant> resonances(const Model& model, const DrivenModel& settings)
     if (own > formant.level + settings.least_own_level) result.push_back(formant);
   }
   return result;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 /// The resonances that most orders agree upon: each with the nearest of the other orders, no further apart than

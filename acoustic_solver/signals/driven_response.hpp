@@ -24,7 +24,7 @@ struct DrivenResponse {
   std::vector<Formant> formants;  ///< poles of H, rising; `level` is |H| there
   std::vector<double> frequency;  ///< [Hz], 1 Hz apart from 0
   std::vector<double> level;      ///< |H|, response over source [dB re 1 in its unit]
-  double misfit = 0;              ///< rms of what one-step prediction leaves, over the rms of the response
+  double misfit = 0;              ///< rms of what one-step prediction leaves, bursts too, over that of the response
 };
 
 /// The resonances between a known source and a response, in a voiced sound, too. Spectrum and linear prediction of the
@@ -32,14 +32,16 @@ struct DrivenResponse {
 ///
 ///   p_n = sum_k a_k p_{n-k} + sum_k b_k q_{n-k},   k = 1 .. order for a, 0 .. order - 1 for b,
 ///
-/// fits by least squares, and H = B/A has the system's poles whatever the source's spectrum is, where it has any
-/// energy. A single order invents a pole now and then, each order another one: formants are the poles that more than
-/// half of the orders agree upon and that shape |H| at their own frequency, each the median; the level is a median,
-/// too.
+/// is fitted, and H = B/A has the system's poles whatever the source's spectrum is, where it has any energy. Sound of
+/// which the source says nothing, as that of folds that meet, comes in short bursts: an error counts by its square as
+/// long as it is one of the usual ones, and by its size beyond that (Huber's weights). A single order invents a pole
+/// now and then, each order another one: formants are the poles that more than half of the orders agree upon and that
+/// shape |H| at their own frequency, each the median; the level is a median, too.
 ///
 /// source, response  one number per sample each, at `rate` [Hz]. Series that are too short give an empty result.
-/// Source: Ljung 1999, System Identification, section 4.2 (ARX model); Peeters & De Roeck 2001, J. Dyn. Syst. Meas.
-/// Control 123 (poles that are stable over the order).
+/// Source: Ljung 1999, System Identification, sections 4.2 (ARX model) and 15.2 (robust norms); Huber 1964, Ann. Math.
+/// Stat. 35, 73; Holland & Welsch 1977, Commun. Stat. A 6, 813 (weights anew after each solution); Peeters & De Roeck
+/// 2001, J. Dyn. Syst. Meas. Control 123 (poles that are stable over the order).
 DrivenResponse driven_response(std::span<const double> source, std::span<const double> response, double rate,
                                const DrivenModel& model = {});
 
