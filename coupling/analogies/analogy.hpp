@@ -30,6 +30,7 @@ struct AnalogyMedium {
   double speed_of_sound = 0;   ///< c [m/s]
   std::vector<double> window;  ///< (flow vertices) weight of the source, 0 to 1: of Q and the outlet's flux, or of u u
                                ///< before its divergence is taken; empty: 1
+  double kinematic_viscosity = 0;  ///< of the flow, ν [m^2/s]
 };
 
 /// How an incompressible flow makes sound. One file each; `make_analogy` knows them by name.

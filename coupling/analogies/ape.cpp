@@ -14,7 +14,7 @@ void AcousticPerturbation::follow(const FlowView& flow) {
   const std::vector<double> velocity = middle_velocity(flow);
   const double dt = flow.time_end - flow.time_begin;
   fem::Load load(*flow.space, 1);
-  add_carried_momentum(flow, medium_, CarriedMomentum::lamb, velocity, middle_of_edges(flow), load);
+  add_forces(flow, medium_, CarriedMomentum::lamb, velocity, middle_of_edges(flow), load);
   mean_velocity_.follow(velocity, dt);
   mean_load_.follow(load.values, dt);
 }

@@ -1,6 +1,7 @@
 #include "coupling/analogies/force_source.hpp"
 
 #include "coupling/analogies/flow_cell.hpp"
+#include "coupling/analogies/wall_friction.hpp"
 
 namespace vocalis::coupling {
 
@@ -114,12 +115,18 @@ void add_wall_acceleration(const FlowView& flow, fem::Load& load) {
   }
 }
 
+void add_forces(const FlowView& flow, const AnalogyMedium& medium, CarriedMomentum which,
+                const std::vector<double>& velocity, const std::vector<double>& of_edges, fem::Load& load) {
+  add_carried_momentum(flow, medium, which, velocity, of_edges, load);
+  add_wall_friction(flow, medium, velocity, of_edges, load);
+}
+
 AnalogySource force_source(const FlowView& flow, const AnalogyMedium& medium, CarriedMomentum which) {
   AnalogySource result = {fem::Load(*flow.space, 1), {}};
   add_wall_acceleration(flow, result.begin);
   result.end = result.begin;
-  add_carried_momentum(flow, medium, which, flow.velocity_begin, flow.edges_begin, result.begin);
-  add_carried_momentum(flow, medium, which, flow.velocity_end, flow.edges_end, result.end);
+  add_forces(flow, medium, which, flow.velocity_begin, flow.edges_begin, result.begin);
+  add_forces(flow, medium, which, flow.velocity_end, flow.edges_end, result.end);
   return result;
 }
 

@@ -57,6 +57,12 @@ std::vector<double> source_window(const Scene& scene, const acoustic::AnalogySet
   return weights;
 }
 
+AnalogyMedium medium_of(const Scene& scene, const Case& config, const acoustic::AcousticSettings& settings) {
+  const Fluid& fluid = config.fluid;
+  const double kinematic_viscosity = fluid.viscosity > 0 ? fluid.viscosity / fluid.density : 0;
+  return {settings.density, settings.speed_of_sound, source_window(scene, settings.analogy), kinematic_viscosity};
+}
+
 /// Histories of p_a alone can be carried over to a mesh with other cells.
 void require_rebuildable(const acoustic::AcousticSettings& settings, Unknown unknown) {
   if (settings.contact_cells == acoustic::ContactCells::keep || unknown == Unknown::acoustic_pressure) return;
@@ -74,8 +80,7 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
       moves_(config.may_move() && !config.acoustic_meshes.contains(settings.name) &&
              std::any_of(config.regions.begin(), config.regions.end(),
                          [](const Region& region) { return region.kind == RegionKind::solid; })),
-      analogy_(make_analogy(settings.analogy,
-                            {settings.density, settings.speed_of_sound, source_window(scene, settings.analogy)})),
+      analogy_(make_analogy(settings.analogy, medium_of(scene, config, settings))),
       air_(beside && beside->air_->is_separate ? beside->air_ : make_air(scene, config, settings.name)),
       solver_(beside ? acoustic::AcousticSolver::beside(beside->solver_, settings)
                      : acoustic::AcousticSolver(air_->mesh(), settings)),
