@@ -7,7 +7,9 @@ PetscLinearSolver create_linear_solver(MPI_Comm comm, const LinearSolverSettings
   base::check(KSPCreate(comm, solver.put()));
   base::check(KSPSetOptionsPrefix(solver.get(), settings.prefix.c_str()));
   base::check(KSPSetType(solver.get(), settings.method.c_str()));
-  base::check(KSPSetTolerances(solver.get(), settings.relative_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
+  // A guess that is far off next to a small right-hand side is no sign of a solver that diverges.
+  const PetscReal divergence = settings.start_from_given ? PETSC_MAX_REAL : PETSC_DEFAULT;
+  base::check(KSPSetTolerances(solver.get(), settings.relative_tolerance, PETSC_DEFAULT, divergence,
                                settings.largest_iterations));
   base::check(KSPSetInitialGuessNonzero(solver.get(), settings.start_from_given ? PETSC_TRUE : PETSC_FALSE));
   PC preconditioner = nullptr;

@@ -50,6 +50,20 @@ TEST_CASE("a Krylov solver solves, reports its iterations, and needs none from t
   CHECK(again.iterations <= 1);
 }
 
+TEST_CASE("a Krylov solver finds back from a guess that is far off") {
+  PulledChain pulled;
+  const PetscLinearSolver solver =
+      create_linear_solver(MPI_COMM_WORLD, {.prefix = "test_guess_", .relative_tolerance = 1e-8});
+  base::check(KSPSetOperators(solver.get(), pulled.matrix.get(), pulled.matrix.get()));
+  {
+    const OwnedValues guess(pulled.displacement.get());
+    for (PetscInt i = 0; i < pulled.chain.layout.num_owned(); ++i) guess[i] = i % 2 == 0 ? 1e7 : -1e7;
+  }
+  const SolveReport report = solve(solver.get(), pulled.load.get(), pulled.displacement.get());
+  CHECK(report.converged);
+  CHECK(pulled.largest_error() < 1e-5);
+}
+
 TEST_CASE("a solver that runs out of iterations says so and does not throw") {
   PulledChain pulled;
   const PetscLinearSolver solver =
