@@ -4,15 +4,19 @@
 
 using namespace vocalis::coupling;
 
-TEST_CASE("a running mean begins with the first value and forgets it as exp(-t / T), at any steps", "[serial]") {
+TEST_CASE("a running mean is a plain one up to T, and then forgets as exp(-t / T), at any steps", "[serial]") {
   RunningMean mean(2.0);
   mean.follow({5, -1}, 0.1);
   CHECK(mean.mean() == std::vector<double>{5, -1});
+  mean.follow({1, -1}, 0.5);
+  mean.follow({4, -1}, 1.2);
+  const double plain = (0.1 * 5 + 0.5 * 1 + 1.2 * 4) / 1.8;
+  CHECK(mean.mean()[0] == Approx(plain).epsilon(1e-12));
   double time = 0;
-  for (const double dt : {0.5, 0.01, 3.0}) {
+  for (const double dt : {3.0, 0.01, 0.5}) {
     mean.follow({1, -1}, dt);
     time += dt;
-    CHECK(mean.mean()[0] == Approx(1 + 4 * std::exp(-time / 2)).epsilon(1e-12));
+    CHECK(mean.mean()[0] == Approx(1 + (plain - 1) * std::exp(-time / 2)).epsilon(1e-12));
     CHECK(mean.mean()[1] == -1);
   }
 }
