@@ -11,20 +11,20 @@ namespace vocalis::coupling {
 
 namespace {
 
-/// A number that changes with any coordinate or cell of this rank's part of a mesh (FNV-1a).
-std::int64_t fingerprint(const mesh::Mesh& mesh) {
+/// A number that changes with any coordinate (at rest) or cell of this rank's part of a mesh (FNV-1a).
+std::int64_t fingerprint(const mesh::Mesh& mesh, const std::vector<double>& coordinates) {
   std::uint64_t hash = 14695981039346656037ull;
   const auto mix = [&hash](std::uint64_t bits) { hash = (hash ^ bits) * 1099511628211ull; };
-  for (const double coordinate : mesh.coordinates) mix(std::bit_cast<std::uint64_t>(coordinate));
+  for (const double coordinate : coordinates) mix(std::bit_cast<std::uint64_t>(coordinate));
   for (const std::int32_t vertex : mesh.cell_vertices) mix(static_cast<std::uint64_t>(vertex));
   return static_cast<std::int64_t>(hash >> 1);
 }
 
 /// Of the parent, and of the meshes that voices have for themselves.
 std::vector<std::int64_t> fingerprints(const Scene& scene, Simulation& simulation) {
-  std::vector<std::int64_t> result = {fingerprint(scene.parent)};
+  std::vector<std::int64_t> result = {fingerprint(scene.parent, scene.parent.coordinates)};
   for (const auto& voice : simulation.voices()) {
-    if (voice->has_own_mesh()) result.push_back(fingerprint(voice->mesh()));
+    if (voice->has_own_mesh()) result.push_back(fingerprint(voice->mesh(), voice->rest_coordinates()));
   }
   return result;
 }

@@ -45,6 +45,7 @@ struct AcousticMesh {
   std::string table;  ///< name of the [[acoustic]] table, which may be several voices
   MeshSettings mesh;
   std::vector<std::string> flow_ends;  ///< groups of the case's mesh where the flow ends inside of this air
+  bool follows_flow = false;           ///< its vertices within the flow move as the flow's mesh does
 };
 
 /// A prescribed glottal signal, the normal velocity of a boundary into the air [m/s]: acoustics alone, without a flow.

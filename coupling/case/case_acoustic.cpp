@@ -83,7 +83,9 @@ std::optional<AcousticMesh> read_own_mesh(MPI_Comm comm, base::Table& table, con
     reference->acoustic = solver.name;
   }
   AcousticMesh own = {.table = solver.name, .mesh = read_mesh(comm, *mesh, config), .flow_ends = {}};
-  if (config.has_flow() && mesh->has("flow_ends")) own.flow_ends = read_groups(*mesh, config, "flow_ends");
+  if (!config.has_flow()) return own;
+  if (mesh->has("flow_ends")) own.flow_ends = read_groups(*mesh, config, "flow_ends");
+  own.follows_flow = mesh->boolean_or("follows_flow", false);
   return own;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/mpi.hpp"
+#include "core/mesh/geometry.hpp"
 #include "coupling/voice/own_mesh.hpp"
 
 namespace vocalis::coupling {
@@ -54,6 +55,7 @@ std::unique_ptr<Air> make_air(Scene& scene, const Case& config, const std::strin
   air->rest_coordinates = air->mesh().coordinates;
   air->cell_has_flow.assign(air->mesh().num_cells(), 0);
   if (!scene.flow) return air;
+  air->follows = own->second.follows_flow;
   air->bridge = std::make_unique<FlowBridge>(scene, air->mesh(), own->second.flow_ends, name);
   air->cell_has_flow = air->bridge->cells_in_flow(air->mesh());
   return air;
@@ -82,11 +84,26 @@ std::vector<double> values_of_flow(const Scene& scene, const Air& air, const std
 }
 
 std::vector<double> moved_coordinates(const Air& air, const fem::Space& space, const fem::Field& displacement) {
-  if (air.is_separate) return air.rest_coordinates;
+  if (air.is_separate && !air.follows) return air.rest_coordinates;
+  if (air.is_separate) {
+    std::vector<double> coordinates = air.bridge->values(displacement.values, displacement.components);
+    for (std::size_t i = 0; i < coordinates.size(); ++i) coordinates[i] += air.rest_coordinates[i];
+    return coordinates;
+  }
   fem::Field here(space, displacement.components);
   air.from_flow->carry(displacement, here);
   for (std::size_t i = 0; i < here.values.size(); ++i) here.values[i] += air.rest_coordinates[i];
   return std::move(here.values);
+}
+
+bool keeps_its_cells(const Air& air, std::span<const double> coordinates) {
+  if (!air.follows) return true;
+  const mesh::Mesh& mesh = air.mesh();
+  std::int32_t turned_over = 0;
+  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
+    if (mesh::quality(mesh, cell, coordinates) <= 0) turned_over = 1;
+  }
+  return base::largest(mesh.comm, turned_over) == 0;
 }
 
 std::vector<std::int32_t> vertices_there(const Air& before, const Air& after) {

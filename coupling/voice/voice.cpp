@@ -71,13 +71,19 @@ void require_rebuildable(const acoustic::AcousticSettings& settings, Unknown unk
                         "write contact_cells = \"keep\"");
 }
 
+/// Whether the voice's air moves where the flow's mesh does.
+bool may_follow(const Case& config, const std::string& name) {
+  const auto own = config.acoustic_meshes.find(name);
+  return own == config.acoustic_meshes.end() || own->second.follows_flow;
+}
+
 }  // namespace
 
 Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings& settings, const Voice* beside)
     : scene_(scene),
       settings_(settings),
       step_(config.time.step),
-      moves_(config.may_move() && !config.acoustic_meshes.contains(settings.name) &&
+      moves_(config.may_move() && may_follow(config, settings.name) &&
              std::any_of(config.regions.begin(), config.regions.end(),
                          [](const Region& region) { return region.kind == RegionKind::solid; })),
       analogy_(make_analogy(settings.analogy, medium_of(scene, config, settings))),
@@ -166,13 +172,20 @@ acoustic::AdvanceReport Voice::follow(const FlowView& flow, const fem::Field& di
                                       const fem::Field& displacement_end) {
   const Drive drive = carry(flow, displacement_begin, displacement_end);
   const auto scope = timers_.scope("acoustic");
+  if (!keeps_its_cells(*air_, drive.to)) {
+    acoustic::AdvanceReport failure;
+    failure.converged = false;
+    failure.reason = "a cell of the mesh of [[acoustic]] \"" + settings_.name +
+                     "\" turned over as it followed the flow's: make its cells smaller there, or let it stand still";
+    return failure;
+  }
   mesh::Mesh& mesh = air_->mesh();
   for (const acoustic::FarField& far : microphones_.far_fields()) far.require_still(mesh, drive.to);
   const double start = solver_.state().time, dt = flow.time_end - flow.time_begin;
   // Microphones stand still and cells pass them: where they are counts at each sub-step.
   const auto listen = [&](double time) {
     const double part = (time - start) / dt;
-    if (!air_->is_separate) {
+    if (air_->moves()) {
       for (std::size_t i = 0; i < mesh.coordinates.size(); ++i) {
         mesh.coordinates[i] = (1 - part) * drive.from[i] + part * drive.to[i];
       }
@@ -228,7 +241,10 @@ void Voice::carry_to_parent(const fem::Field& from, fem::Field& to, double other
     transfer::SharedVertices::to_parent(scene_.parent, *air_->stripped).carry(from, to, otherwise);
     return;
   }
-  const transfer::PointInterpolation at_parent(air_->mesh(), scene_.parent.coordinates);
+  mesh::Mesh& mesh = air_->mesh();
+  const std::vector<double> here = std::exchange(mesh.coordinates, air_->rest_coordinates);
+  const transfer::PointInterpolation at_parent(mesh, scene_.parent.coordinates);
+  mesh.coordinates = here;
   at_parent.evaluate(from, to.values);
   const std::vector<std::int32_t> is_held = at_parent.is_held();
   for (std::size_t v = 0; v < is_held.size(); ++v) {

@@ -63,6 +63,8 @@ class Voice {
   void set_rebuilds(const Rebuilds& rebuilds) { rebuilds_ = rebuilds; }
   /// The mesh that the sound is on now; another one after `follow_contact`.
   const mesh::Mesh& mesh() const { return air_->mesh(); }
+  /// (vertices, dimension) of that mesh [m], where nothing has moved.
+  const std::vector<double>& rest_coordinates() const { return air_->rest_coordinates; }
   /// P1 fields of its mesh on the parent's vertices, at rest; `otherwise` where there is no air. Collective.
   void carry_to_parent(const fem::Field& from, fem::Field& to, double otherwise) const;
   /// How the flow fits into a mesh of its own; none on the case's mesh, or without a flow.

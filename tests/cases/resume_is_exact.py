@@ -16,6 +16,10 @@ SERIES = ("history.csv", "microphones.csv", "microphones_damped.csv", "microphon
 STOPS = {1: ((1,), (4,), (5,), (6,), (6, 6)), 2: ((1,), (6,))}
 # So few iterations that steps are rejected, halved and grow again.
 WITH_REJECTIONS = ("--set", "flow.newton_iterations=2", "--set", "time.end=1.5e-4")
+# A mesh of its own, coarser, that moves with the folds.
+FOLLOWING = ("--set", "acoustic.sound.mesh.geometry=../../cases/vowel_i/larynx.geo", "--set",
+             "acoustic.sound.mesh.follows_flow=true", "--set", "acoustic.sound.mesh.parameters.size_factor=6", "--set",
+             "acoustic.sound.mesh.parameters.room_radius=0.03")
 # A step that adapts: it does not converge, is too coarse, waits, grows.
 WITH_ADAPTATION = ("--set", "time.tolerance=1e-3", "--set", "time.smallest_dt=1e-7", "--set", "time.end=1e-4",
                    "--set", "flow.newton_iterations=2")
@@ -144,6 +148,12 @@ def test(program, folder):
         whole, run, what = folder / f"coarse{ranks}", ("run", HERE / "coarse.toml"), f"two meshes on {ranks} ranks"
         program.expect_code(0, program.start(ranks, *run, "--out", whole), what)
         stop_and_resume(program, ranks, whole, run, (4, 2), folder / f"coarse_stopped{ranks}", what)
+
+    # And where that mesh follows the folds.
+    for ranks in (1, 2):
+        whole, run, what = folder / f"following{ranks}", ("run", HERE / "larynx.toml", *FOLLOWING), f"a mesh follows, {ranks} ranks"
+        program.expect_code(0, program.start(ranks, *run, "--out", whole), what)
+        stop_and_resume(program, ranks, whole, run, (7, 5), folder / f"following_stopped{ranks}", what)
 
     # Sound alone, with a microphone outside of the mesh that the surface's past is still under way to.
     for ranks in (1, 3):

@@ -12,8 +12,12 @@ ABOUT_EFFORT = ("newton_iterations", "jacobians", "acoustic_iterations")  # thes
 # Folds that fall upon their mirror images: the sound goes on in the air that they leave.
 CLOSING = ("--set", "mesh.parameters.half_gap=6e-5", "--set", "contact.alpha=0.5", "--set", "flow.gravity=[0,-3000]",
            "--set", "acoustic.contact_cells=strip")
+# Sound on a mesh of its own that moves with the folds.
+FOLLOWING = ("--set", "acoustic.sound.mesh.geometry=../../cases/vowel_i/larynx.geo", "--set",
+             "acoustic.sound.mesh.follows_flow=true", "--set", "acoustic.sound.mesh.parameters.size_factor=6", "--set",
+             "acoustic.sound.mesh.parameters.room_radius=0.03")
 CASES = {"larynx": ("larynx",), "channel": ("channel",), "tube": ("tube",), "closing": ("larynx", *CLOSING),
-         "touching": ("touching",), "coarse": ("coarse",)}
+         "touching": ("touching",), "coarse": ("coarse",), "following": ("larynx", *FOLLOWING)}
 
 
 def difference(one, other):

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
+#include "coupling/voice/air.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/coupling/small_scene.hpp"
 
@@ -83,6 +84,44 @@ TEST_CASE("a flow that ends inside of air on another mesh has its outlet there, 
   const auto seen = FlowBridge(*scene, air, {"right"}, "sound").with_ends(view);
   CHECK(count(seen ? seen->outlet : view.outlet) == 6);
   CHECK(count(seen ? seen->walls : view.walls) == walls - 6);
+}
+
+TEST_CASE(
+    "air on a mesh of its own stands still, or follows the flow where there is one, and tells of cells turned over") {
+  const auto scene = duct();
+  Air air;
+  air.is_separate = true;
+  air.own = std::make_unique<transfer::StrippedMesh>();
+  air.own->mesh = box(2, 9);
+  air.stripped = air.own.get();
+  air.rest_coordinates = air.mesh().coordinates;
+  air.bridge = std::make_unique<FlowBridge>(*scene, air.mesh(), std::vector<std::string>(), "sound");
+  const fem::Space flow_space = fem::lagrange(scene->flow->mesh, 1), space = fem::lagrange(air.mesh(), 1);
+  const auto pushed =
+      [&](double slope) {  // (slope (1 - x), 0.1 y): nothing moves at x = 1, where the flow ends, along x
+        fem::Field displacement(flow_space, 2);
+        for (std::int32_t v = 0; v < flow_space.num_dofs(); ++v) {
+          const double* x = scene->flow->mesh.point(v);
+          displacement.at(v)[0] = slope * (1 - x[0]);
+          displacement.at(v)[1] = 0.1 * x[1];
+        }
+        return displacement;
+      };
+  CHECK(moved_coordinates(air, space, pushed(0.3)) == air.rest_coordinates);
+  CHECK(keeps_its_cells(air, moved_coordinates(air, space, pushed(-1.5))));
+  air.follows = true;
+  const std::vector<double> moved = moved_coordinates(air, space, pushed(0.3));
+  for (std::int32_t v = 0; v < air.mesh().num_vertices(); ++v) {
+    const double x = air.rest_coordinates[2 * v], y = air.rest_coordinates[2 * v + 1];
+    if (x < 1 && (x < 0.5 || y > 0.25)) {
+      CHECK(moved[2 * v] == Approx(x + 0.3 * (1 - x)));
+      CHECK(moved[2 * v + 1] == Approx(1.1 * y).margin(1e-12));
+    }
+    if (x > 1.3) CHECK(moved[2 * v] == x);
+    if (x > 1.3) CHECK(moved[2 * v + 1] == y);
+  }
+  CHECK(keeps_its_cells(air, moved));
+  CHECK(!keeps_its_cells(air, moved_coordinates(air, space, pushed(1.5))));
 }
 
 TEST_CASE("a flow that reaches out of the other mesh is the user's mistake") {
