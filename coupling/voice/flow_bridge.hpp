@@ -13,8 +13,9 @@ namespace vocalis::coupling {
 
 /// The way from the flow to air on a mesh with cells and a partition of its own: loads by the transpose of the
 /// interpolation of the air's functions at the flow's vertices, values by interpolation at the air's. Both meshes are
-/// taken at rest: where the folds have moved by s, a source is heard from that much beside its place, an error of the
-/// order of s over the length of what it sounds in. Vertices within a cell's size outside of the other mesh take part
+/// taken at rest, which is exact where the air follows the flow's mesh. Where it stands still and the folds have moved
+/// by s, a source is heard from that much beside its place, an error of the order of s over the length of what it
+/// sounds in. Vertices within a cell's size outside of the other mesh take part
 /// at the nearest point of it, since boundaries with other cells differ by the sagitta of their facets.
 class FlowBridge {
  public:
