@@ -177,7 +177,7 @@ std::vector<char> ContactSearch::find_parting(std::span<const double> coordinate
     if (!state.in_contact[cell] || groups.empty()) continue;
     const auto& [cells, stress, rate, at_fluid, pressures] = groups[cell_to_group[cell]];
     const double pressure = at_fluid > 0 ? pressures / at_fluid : load.lowest_fluid_pressure;
-    is_parting[cell] = stress / cells > -pressure && rate > 0;
+    is_parting[cell] = stress / cells > -pressure && (rate > 0 || settings_.opens == Opening::pulled);
   }
   return is_parting;
 }

@@ -10,6 +10,9 @@
 namespace vocalis::contact {
 
 enum class DistanceMethod { direct, eikonal };
+/// Whether a contact that presses less than the fluid would holds until its walls move apart. A layer that sticks to
+/// them keeps its volume, so that its rate says little: `parting` may hold walls that pull by far.
+enum class Opening { parting, pulled };
 
 /// When walls count as touching. h is a cell's length in the mesh at rest, (d! measure)^(1/d).
 struct ContactSettings {
@@ -18,6 +21,7 @@ struct ContactSettings {
   double gamma = 0.5;        ///< |∇D| on the medial axis, see `axis_gap`
   double release_gap = 0.2;  ///< cells open where the gap is wider by this share than it was at closing
   DistanceMethod distance = DistanceMethod::direct;
+  Opening opens = Opening::parting;
 };
 
 /// Which cells are in contact, and what is remembered of them. All of owned cells.
@@ -48,11 +52,11 @@ struct ContactProposal {
 /// Finds where walls touch: the distance D of the fluid's points from its walls, the medial axis, and on it the gap
 /// between the walls. A cell of the axis closes where its gap falls below the smaller of 2 α h and half of the gap at
 /// rest (so that corners and narrow channels between rigid walls never close). It opens, with the contact cells that
-/// are nearest to it, where they press less than the fluid would that they touch while the walls move apart (inside of
-/// a contact: than the lowest pressure around), or where the gap has become wider than at closing by `release_gap`. One
-/// that has just opened closes again only when it is a tenth narrower than then, or has been apart. All cells near
-/// closed ones are in contact, and so are pockets that they cut off. Source: Degirmenci 2018, Algorithm 2, with the gap
-/// in place of D, and conditions to open, which it lacks.
+/// are nearest to it, where they press less than the fluid would that they touch (inside of a contact: than the lowest
+/// pressure around), for `parting` while the walls move apart, or where the gap has become wider than at closing by
+/// `release_gap`. One that has just opened closes again only when it is a tenth narrower than then, or has been apart.
+/// All cells near closed ones are in contact, and so are pockets that they cut off. Source: Degirmenci 2018, Algorithm
+/// 2, with the gap in place of D, and conditions to open, which it lacks.
 class ContactSearch {
  public:
   /// mesh           at rest; must outlive the search

@@ -109,6 +109,18 @@ TEST_CASE("Contact opens where it presses less than the fluid would, and does no
   CHECK(again.closed == closed);
 }
 
+TEST_CASE("Contact that is pulled opens while its walls come nearer, if it is to") {
+  ContactSettings settings;
+  settings.opens = Opening::pulled;
+  Channel pulled(4, settings), parting(4);
+  for (Channel* channel : {&pulled, &parting}) {
+    REQUIRE_ON_ALL_RANKS(channel->move([](double) { return 0.1; }).closed > 0);
+    channel->load.lowest_fluid_pressure = 2;
+  }
+  CHECK(pulled.move([](double) { return 0.1; }).closed == 0);
+  CHECK(parting.move([](double) { return 0.1; }).closed > 0);
+}
+
 TEST_CASE("A pocket between closed cells closes if it is narrow, a chamber does not") {
   Channel pocket(4), chamber(4);
   const std::int64_t all = base::sum(pocket.mesh.comm, static_cast<std::int64_t>(pocket.mesh.num_cells()));
