@@ -9,6 +9,7 @@ namespace vocalis::acoustic {
 namespace {
 
 constexpr double kLargestLocalCourantNumber = 3;
+constexpr std::int64_t kLargestWhole = 50000;  ///< unknowns of a plane system that every rank solves whole
 
 // Coarsening and interpolation of few entries (De Sterck, Falgout, Nolting & Yang 2008), aggressive on the finest grid
 // along two paths at least; PETSc takes them as options alone.
@@ -29,52 +30,78 @@ void set_multigrid_options() {
   }
 }
 
-/// The solver of each rank's block, unless the options say otherwise.
-void set_block_preconditioner(KSP solver, Preconditioner choice) {
+bool says_options(const char* name) {
+  PetscBool given = PETSC_FALSE;
+  base::check(PetscOptionsHasName(nullptr, nullptr, name, &given));
+  return given == PETSC_TRUE;
+}
+
+bool is_of_type(PC preconditioner, const char* type) {
+  PetscBool is = PETSC_FALSE;
+  base::check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), type, &is));
+  return is == PETSC_TRUE;
+}
+
+void factorise(KSP solver, Preconditioner choice) {
   PC preconditioner = nullptr;
   base::check(KSPGetPC(solver, &preconditioner));
-  PetscBool is_block = PETSC_FALSE, given = PETSC_FALSE;
-  base::check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCBJACOBI, &is_block));
-  base::check(PetscOptionsHasName(nullptr, nullptr, "-acoustic_sub_pc_type", &given));
-  if (!is_block || given) return;
-  base::check(PCSetUp(preconditioner));
-  PetscInt blocks = 0;
-  KSP* block_solvers = nullptr;
-  base::check(PCBJacobiGetSubKSP(preconditioner, &blocks, nullptr, &block_solvers));
-  for (PetscInt i = 0; i < blocks; ++i) {
-    PC block = nullptr;
-    base::check(KSPGetPC(block_solvers[i], &block));
-    base::check(PCSetType(block, choice == Preconditioner::cholesky ? PCCHOLESKY : PCICC));
-    if (choice == Preconditioner::incomplete) base::check(PCFactorSetLevels(block, 1));
+  base::check(PCSetType(preconditioner, choice == Preconditioner::incomplete ? PCICC : PCCHOLESKY));
+  if (choice == Preconditioner::incomplete) {
+    base::check(PCFactorSetLevels(preconditioner, 1));
+  } else {
     // Fewer entries than by nested dissection, and numbers sooner: a moving mesh takes them anew at each sub-step.
-    if (choice == Preconditioner::cholesky) base::check(PCFactorSetMatOrderingType(block, MATORDERINGQMD));
+    base::check(PCFactorSetMatOrderingType(preconditioner, MATORDERINGQMD));
   }
+}
+
+/// The solver of each rank's block or of the whole, unless the options say otherwise.
+void set_inner_solvers(KSP solver, Preconditioner choice) {
+  PC preconditioner = nullptr;
+  base::check(KSPGetPC(solver, &preconditioner));
+  if (is_of_type(preconditioner, PCBJACOBI) && !says_options("-acoustic_sub_pc_type")) {
+    base::check(PCSetUp(preconditioner));
+    PetscInt blocks = 0;
+    KSP* block_solvers = nullptr;
+    base::check(PCBJacobiGetSubKSP(preconditioner, &blocks, nullptr, &block_solvers));
+    for (PetscInt i = 0; i < blocks; ++i) factorise(block_solvers[i], choice);
+  }
+  if (is_of_type(preconditioner, PCREDUNDANT) && !says_options("-acoustic_redundant_pc_type")) {
+    KSP whole = nullptr;
+    base::check(PCRedundantGetKSP(preconditioner, &whole));
+    factorise(whole, choice);
+  }
+}
+
+const char* type_of(Preconditioner choice) {
+  if (choice == Preconditioner::multigrid) return PCHYPRE;
+  return choice == Preconditioner::cholesky_of_whole ? PCREDUNDANT : PCBJACOBI;
 }
 
 }  // namespace
 
-Preconditioner choose_preconditioner(int dimension, int ranks, double courant_number) {
+Preconditioner choose_preconditioner(int dimension, int ranks, double courant_number, std::int64_t num_unknowns) {
   // A plane block is factorised in the time of a few solves, and the factors of an earlier geometry serve for long; in
-  // space they cost too much. Blocks do not see each other, which matters where sound crosses many cells in a step.
+  // space they cost too much. Blocks do not see each other, which matters where sound crosses many cells in a step: a
+  // small system is then sooner solved whole on every rank, with one gather, than by the messages of multigrid.
   const bool is_local = courant_number <= kLargestLocalCourantNumber;
   if (dimension == 2 && (is_local || ranks == 1)) return Preconditioner::cholesky;
+  if (dimension == 2 && num_unknowns <= kLargestWhole) return Preconditioner::cholesky_of_whole;
   return is_local ? Preconditioner::incomplete : Preconditioner::multigrid;
 }
 
 la::PetscLinearSolver create_pressure_solver(Mat product, Mat assembled, Preconditioner preconditioner,
                                              double tolerance) {
-  const bool is_multigrid = preconditioner == Preconditioner::multigrid;
-  if (is_multigrid) set_multigrid_options();
+  if (preconditioner == Preconditioner::multigrid) set_multigrid_options();
   MPI_Comm comm = MPI_COMM_NULL;
   base::check(PetscObjectGetComm(reinterpret_cast<PetscObject>(assembled), &comm));
   auto solver = la::create_linear_solver(comm, {.prefix = "acoustic_",
                                                 .method = KSPCG,
-                                                .preconditioner = is_multigrid ? PCHYPRE : PCBJACOBI,
+                                                .preconditioner = type_of(preconditioner),
                                                 .relative_tolerance = tolerance,
                                                 .largest_iterations = 2000,
                                                 .start_from_given = true});
   base::check(KSPSetOperators(solver.get(), product, assembled));
-  set_block_preconditioner(solver.get(), preconditioner);
+  set_inner_solvers(solver.get(), preconditioner);
   return solver;
 }
 

@@ -28,6 +28,7 @@ PressureSystem::PressureSystem(const mesh::Mesh& mesh, const fem::Space& space,
       tolerance_(settings.solver_tolerance),
       speed_of_sound_(settings.speed_of_sound),
       dimension_(mesh.dimension),
+      num_unknowns_(space.dofs.num_global),
       matrix_(layout_, rows_of_cells(layout_, space), space.dofs_per_cell, as_petsc(constrained), true),
       right_hand_side_(la::create_vector(mesh.comm, layout_.num_owned())),
       solution_(la::create_vector(mesh.comm, layout_.num_owned())) {
@@ -41,7 +42,7 @@ void PressureSystem::prepare_solver(const WaveOperator& wave) {
   // In the plane one rank does not ask, and assembles for several sounds at each sub-step.
   const bool asks = dimension_ == 3 || ranks > 1;
   const double courant_number = asks ? base::largest(layout_.comm(), sound_path / wave.smallest_length()) : 0;
-  const auto wanted = choose_preconditioner(dimension_, ranks, courant_number);
+  const auto wanted = choose_preconditioner(dimension_, ranks, courant_number, num_unknowns_);
   if (assembled_ && wanted == preconditioner_) return;
   preconditioner_ = wanted;
   solver_ =

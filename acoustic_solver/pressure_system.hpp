@@ -44,7 +44,8 @@ class PressureSystem {
   std::vector<std::int32_t> constrained_;
   double tolerance_, speed_of_sound_;
   int dimension_;
-  la::AssembledMatrix matrix_;  ///< of P1/P0
+  std::int64_t num_unknowns_ = 0;  ///< of all ranks
+  la::AssembledMatrix matrix_;     ///< of P1/P0
   std::optional<EqualOrderMatrix> equal_order_;
   la::PetscLinearSolver solver_;
   Preconditioner preconditioner_ = Preconditioner::incomplete;

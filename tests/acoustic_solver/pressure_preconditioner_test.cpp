@@ -65,11 +65,12 @@ TEST_CASE("with multigrid, too, what follows depends on the state alone") {
 }
 
 TEST_CASE("blocks of ranks serve as long as a step crosses few cells") {
-  CHECK(choose_preconditioner(2, 1, 30) == Preconditioner::cholesky);
-  CHECK(choose_preconditioner(2, 4, 1) == Preconditioner::cholesky);
-  CHECK(choose_preconditioner(2, 4, 30) == Preconditioner::multigrid);
-  CHECK(choose_preconditioner(3, 1, 1) == Preconditioner::incomplete);
-  CHECK(choose_preconditioner(3, 1, 30) == Preconditioner::multigrid);
+  CHECK(choose_preconditioner(2, 1, 30, 1000) == Preconditioner::cholesky);
+  CHECK(choose_preconditioner(2, 4, 1, 1000) == Preconditioner::cholesky);
+  CHECK(choose_preconditioner(2, 4, 30, 1000) == Preconditioner::cholesky_of_whole);
+  CHECK(choose_preconditioner(2, 4, 30, 1000000) == Preconditioner::multigrid);
+  CHECK(choose_preconditioner(3, 1, 1, 1000) == Preconditioner::incomplete);
+  CHECK(choose_preconditioner(3, 1, 30, 1000) == Preconditioner::multigrid);
 }
 
 }  // namespace vocalis::acoustic
