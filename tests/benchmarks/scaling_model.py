@@ -8,7 +8,8 @@ What was measured stands below with its command in docs/scaling.md; what is assu
     serial + shared / P + exchanges * neighbours(P) * latency + bytes(P) / bandwidth
            + (reductions + gathers) * log2(P) * latency + gathers * P * overhead
 
-where an exchange is one message to each neighbour; `gathers` bring a vector to the first rank, or back, one message a rank.
+where an exchange is one message to each neighbour; `gathers` bring a vector to the first rank, or back, or to every rank, one
+message a rank.
 """
 
 import dataclasses
