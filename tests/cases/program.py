@@ -23,7 +23,9 @@ class Program:
         self.path = pathlib.Path(path).resolve()
         self.mpiexec = mpiexec
         self.failures = 0
+        # mpiexec needs no grace to kill what is left after an exit code that is not 0: it would sleep a second or two.
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                                OMPI_MCA_odls_base_sigkill_timeout="0",
                                 OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
                                 OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_mpi_yield_when_idle="1",
                                 OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
@@ -31,10 +33,11 @@ class Program:
     def command(self, ranks, arguments):
         return [self.mpiexec, "--quiet", "-n", str(ranks), str(self.path), *map(str, arguments)]
 
-    def start(self, ranks, *arguments):
-        """Runs to the end: exit code and all words."""
-        done = subprocess.run(self.command(ranks, arguments), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=TIMEOUT, check=False, env=self.environment)
+    def start(self, ranks, *arguments, folder=None, timeout=TIMEOUT):
+        """Runs to the end, in this folder: exit code and all words."""
+        done = subprocess.run(self.command(ranks, arguments), cwd=folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout, check=False,
+                              env=self.environment)
         return done.returncode, done.stdout.decode(errors="replace")
 
     def start_in_background(self, ranks, *arguments):
