@@ -141,6 +141,9 @@ void add_formants(const std::vector<acoustic::Formant>& formants, const std::str
     if (std::isfinite(formants[i].bandwidth)) {
       figures.values[fmt::format("B{}_Hz{}", i + 1, suffix)] = formants[i].bandwidth;
     }
+    if (std::isfinite(formants[i].spread)) {
+      figures.values[fmt::format("F{}_spread_Hz{}", i + 1, suffix)] = formants[i].spread;
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "acoustic_solver/signals/dense.hpp"
+#include "acoustic_solver/signals/recurring_formants.hpp"
 #include "acoustic_solver/signals/resample.hpp"
 
 namespace vocalis::acoustic {
@@ -131,12 +132,25 @@ struct Model {
   }
 };
 
+/// Whether |H| has a maximum no further from a resonance than half of its bandwidth, or than the bins of 1 Hz tell.
+bool shows_peak(std::span<const double> level, const Formant& formant) {
+  const double reach = std::max(0.5 * formant.bandwidth, 1.0);
+  const auto first = static_cast<std::size_t>(std::max(std::ceil(formant.frequency - reach), 1.0));
+  const double last = std::floor(formant.frequency + reach);
+  for (std::size_t bin = first; bin + 1 < level.size() && static_cast<double>(bin) <= last; ++bin) {
+    if (level[bin] > level[bin - 1] && level[bin] >= level[bin + 1]) return true;
+  }
+  return false;
+}
+
 /// The resonances of one model that shape |H| at their own frequency; the others are fitted to noise or to skirts.
-std::vector<Formant> resonances(const Model& model, const DrivenModel& settings) {
+/// level  |H|, 1 Hz apart from 0 [dB]
+std::vector<SeenFormant> resonances(const Model& model, std::span<const double> level, int order,
+                                    const DrivenModel& settings) {
   std::vector<double> coefficients;
   for (const double value : model.a) coefficients.push_back(-value);
   const std::vector<Complex> poles = polynomial_roots(coefficients);
-  std::vector<Formant> result;
+  std::vector<SeenFormant> result;
   for (const Complex& pole : poles) {
     if (pole.imag() <= 0) continue;
     // A pole without losses may come out on the wrong side of the unit circle.
@@ -153,33 +167,9 @@ std::vector<Formant> resonances(const Model& model, const DrivenModel& settings)
       if (&other != &pole) others *= 1.0 - other / pole;
     }
     const double own = 20 * std::log10(std::abs(model.numerator(pole) / others) / (1 - radius));
-    if (own > formant.level + settings.least_own_level) result.push_back(formant);
-  }
-  return result;
-}
-
-/// The resonances that most orders agree upon: each with the nearest of the other orders, no further apart than
-/// `agreement`; the median of those. What only some orders see was invented by them.
-std::vector<Formant> recurring(const std::vector<std::vector<Formant>>& orders, const DrivenModel& settings) {
-  std::vector<Formant> all;
-  for (const auto& order : orders) all.insert(all.end(), order.begin(), order.end());
-  std::sort(all.begin(), all.end(), [](const Formant& a, const Formant& b) { return a.frequency < b.frequency; });
-  std::vector<Formant> result;
-  for (std::size_t begin = 0; begin < all.size();) {
-    std::size_t end = begin + 1;
-    while (end < all.size() && all[end].frequency - all[end - 1].frequency < settings.agreement * all[end].frequency) {
-      ++end;
+    if (own > formant.level + settings.least_own_level) {
+      result.push_back({formant, order, shows_peak(level, formant)});
     }
-    if (2 * (end - begin) > orders.size()) {
-      std::vector<double> frequencies, bandwidths, levels;
-      for (std::size_t i = begin; i < end; ++i) {
-        frequencies.push_back(all[i].frequency);
-        bandwidths.push_back(all[i].bandwidth);
-        levels.push_back(all[i].level);
-      }
-      result.push_back({median(frequencies), median(bandwidths), median(levels)});
-    }
-    begin = end;
   }
   return result;
 }
@@ -212,7 +202,7 @@ DrivenResponse driven_response(std::span<const double> source, std::span<const d
   // The resampling filter stops the last tenth below half the sampling rate.
   const int highest = static_cast<int>(0.45 * model.sampling_rate);
   std::vector<std::vector<double>> levels;
-  std::vector<std::vector<Formant>> formants;
+  std::vector<SeenFormant> seen;
   for (int order = model.lowest_order; order <= model.highest_order; order += 2) {
     const std::vector<double> fitted =
         fit(std::span(q).first(length), std::span(p).first(length), order, result.misfit);
@@ -221,13 +211,14 @@ DrivenResponse driven_response(std::span<const double> source, std::span<const d
         {fitted.begin(), fitted.begin() + order}, {fitted.begin() + order, fitted.end()}, model.sampling_rate};
     std::vector<double> level;
     for (int hertz = 0; hertz <= highest; ++hertz) level.push_back(system.level(hertz));
+    const std::vector<SeenFormant> found = resonances(system, level, order, model);
+    seen.insert(seen.end(), found.begin(), found.end());
     levels.push_back(std::move(level));
-    formants.push_back(resonances(system, model));
   }
   if (levels.empty()) return result;
   result.level = combine(levels);
   for (int hertz = 0; hertz <= highest; ++hertz) result.frequency.push_back(hertz);
-  result.formants = recurring(formants, model);
+  result.formants = recurring_formants(seen, static_cast<int>(levels.size()), model.agreement);
   return result;
 }
 

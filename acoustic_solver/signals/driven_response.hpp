@@ -15,7 +15,7 @@ struct DrivenModel {
   int highest_order = 26;          ///< every second order between the two is fitted, too
   double minimum_frequency = 100;  ///< of a resonance [Hz]
   double maximum_bandwidth = 600;  ///< [Hz] broader ones shape the skirts
-  double least_own_level = -12;    ///< of a resonance at its frequency, over the whole transfer function there [dB]
+  double least_own_level = -6;     ///< of a resonance at its frequency, over the whole transfer function there [dB]
   double agreement = 0.02;         ///< largest relative distance of one order's resonance from another's
 };
 
@@ -34,14 +34,10 @@ struct DrivenResponse {
 ///
 /// is fitted, and H = B/A has the system's poles whatever the source's spectrum is, where it has any energy. Sound of
 /// which the source says nothing, as that of folds that meet, comes in short bursts: an error counts by its square as
-/// long as it is one of the usual ones, and by its size beyond that (Huber's weights). A single order invents a pole
-/// now and then, each order another one: formants are the poles that more than half of the orders agree upon and that
-/// shape |H| at their own frequency, each the median; the level is a median, too.
-///
+/// long XX///
 /// source, response  one number per sample each, at `rate` [Hz]. Series that are too short give an empty result.
 /// Source: Ljung 1999, System Identification, sections 4.2 (ARX model) and 15.2 (robust norms); Huber 1964, Ann. Math.
-/// Stat. 35, 73; Holland & Welsch 1977, Commun. Stat. A 6, 813 (weights anew after each solution); Peeters & De Roeck
-/// 2001, J. Dyn. Syst. Meas. Control 123 (poles that are stable over the order).
+/// Stat. 35, 73; Holland & Welsch 1977, Commun. Stat. A 6, 813 (weights anew after each solution).
 DrivenResponse driven_response(std::span<const double> source, std::span<const double> response, double rate,
                                const DrivenModel& model = {});
 

@@ -11,6 +11,8 @@ struct Formant {
   double frequency = 0;                                     ///< [Hz]
   double bandwidth = 0;                                     ///< between the half-power points [Hz]
   double level = std::numeric_limits<double>::quiet_NaN();  ///< [dB] of what was analysed, where that is known
+  /// half of what the frequency ranges over when the model's order changes, where several were fitted [Hz]
+  double spread = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// How linear prediction cuts and models the sound.

@@ -16,11 +16,14 @@ void print_formants(base::Log& log, const SoundAnalysis& analysis) {
   log.info("  formants by {}{}", analysis.method, analysis.formants.empty() ? ": none" : "");
   if (analysis.formants.empty()) return;
   const bool has_level = !analysis.transfer_level.empty();
-  log.info("      frequency [Hz]  bandwidth [Hz]{}", has_level ? "  pressure over source [dB]" : "");
+  const bool has_spread = std::isfinite(analysis.formants.front().spread);
+  log.info("      frequency [Hz]  bandwidth [Hz]{}{}", has_level ? "  pressure over source [dB]" : "",
+           has_spread ? "  spread [Hz]" : "");
   for (std::size_t i = 0; i < analysis.formants.size(); ++i) {
     const acoustic::Formant& formant = analysis.formants[i];
-    log.info("  F{:<2}    {}      {}{}", i + 1, field(formant.frequency), field(formant.bandwidth),
-             has_level ? "                 " + field(formant.level) : "");
+    log.info("  F{:<2}    {}      {}{}{}", i + 1, field(formant.frequency), field(formant.bandwidth),
+             has_level ? "                 " + field(formant.level) : "",
+             has_spread ? "   " + field(formant.spread) : "");
   }
 }
 

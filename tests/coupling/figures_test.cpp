@@ -209,6 +209,7 @@ TEST_CASE("a pulse's ring gives the formant, its bandwidth and the transfer func
   const Figures figures = evaluate_run(case_of({"sound"}, false), folder.path());
   CHECK(figures.values.at("F1_Hz") == Approx(500).epsilon(1e-3));
   CHECK(figures.values.at("B1_Hz") == Approx(60).epsilon(0.02));
+  CHECK(!figures.values.contains("F1_spread_Hz"));  // of a single model
   CHECK(io::read_series(folder.file("spectra.csv").string()).find("transfer_dB.mouth"));
 }
 
@@ -218,6 +219,7 @@ TEST_CASE("a source that goes on gives the formant of the response, the pitch an
   const Figures figures = evaluate_run(case_of({"sound"}, false), folder.path());
   CHECK(figures.values.at("F1_Hz") == Approx(530).epsilon(1e-3));
   CHECK(figures.values.at("B1_Hz") == Approx(60).epsilon(0.02));
+  CHECK(figures.values.at("F1_spread_Hz") < 0.001 * 530);
   CHECK(figures.values.at("f0_Hz") == Approx(125).epsilon(1e-3));
   const io::Series harmonics = io::read_series(folder.file("harmonics.csv").string());
   const auto& frequency = *harmonics.find("frequency_Hz.mouth");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "acoustic_solver/signals/driven_response.hpp"
 #include "acoustic_solver/signals/formants.hpp"
 #include "acoustic_solver/signals/resample.hpp"
 #include "acoustic_solver/signals/spectrum.hpp"
@@ -23,7 +24,7 @@ namespace {
 
 const char* const usage =
     "usage: signal_probe vowel NUMBER PITCH OUT.wav | formants FILE | pitch FILE | level FILE | welch FILE SEGMENT |\n"
-    "  amplitude FILE | transfer FILE FILE SEGMENT | resample FILE RATE | harmonics FILE PITCH\n";
+    "  amplitude FILE | response FLOW SOUND | transfer FILE FILE SEGMENT | resample FILE RATE | harmonics FILE PITCH\n";
 
 /// Half a second of one of the ten vowels, sung by Rosenberg's pulses; about 0.1 Pa. It fades in and out over 50 ms:
 /// without that weak formants move in Praat, those of /u/ at 220 Hz by 6.6 %.
@@ -42,6 +43,12 @@ void write_vowel(int number, double pitch, const std::string& path) {
 void print_formants(const io::Sound& sound) {
   for (const auto& formant : acoustic::formants_by_prediction(sound.pressure, sound.sampling_rate, {})) {
     fmt::print("{:.17g} {:.17g}\n", formant.frequency, formant.bandwidth);
+  }
+}
+
+void print_driven_formants(const io::Sound& flow, const io::Sound& sound) {
+  for (const auto& formant : acoustic::driven_response(flow.pressure, sound.pressure, sound.sampling_rate).formants) {
+    fmt::print("{:.17g} {:.17g} {:.17g}\n", formant.frequency, formant.bandwidth, formant.spread);
   }
 }
 
@@ -73,6 +80,8 @@ int probe(const std::vector<std::string>& words) {
     }
   } else if (command == "amplitude") {
     print_spectrum(acoustic::amplitude_spectrum(sound.pressure, rate));
+  } else if (command == "response" && words.size() == 3) {
+    print_driven_formants(sound, io::read_wav(words[2]));
   } else if (command == "transfer" && words.size() == 4) {
     const io::Sound response = io::read_wav(words[2]);
     print_spectrum(acoustic::transfer_function(sound.pressure, response.pressure, rate, std::stoi(words[3])));
