@@ -1,54 +1,44 @@
 #include "coupling/monitors/glottis.hpp"
 
 #include <cmath>
-#include <functional>
 
-#include "core/base/error.hpp"
 #include "coupling/monitors/monitors.hpp"
-#include "fsi_solver/continuum.hpp"
 #include "tests/all_ranks.hpp"
-#include "tests/coupling/small_scene.hpp"
+#include "tests/coupling/monitors/watched_flow.hpp"
 
 using namespace vocalis;
 using namespace vocalis::coupling;
+using namespace vocalis::coupling::test;
 using Catch::Matchers::Contains;
 
 namespace {
 
-using Vector = std::function<fem::Point(const fem::Point&)>;
 constexpr double dt = 0.1;
 
 /// Air in a box [0, 2] x [0, 1] (x [0, 0.5]) whose sides are the folds, and a solid behind it, in 2 < x < 2.5, which
-/// has parts of the sides, too. The flow is set and never solved.
+/// has parts of the sides, too.
 class Plates {
  public:
   Plates(int dimension, fsi::Elements elements)
-      : scene_(test::box_scene(
-            {2.5, 1, dimension == 2 ? 0 : 0.5}, {5, 4, 2},
-            [](const fem::Point& centre) { return centre[0] < 2 ? RegionKind::fluid : RegionKind::solid; })),
-        flow_(scene_->flow->mesh, settings(elements), {.end = 1, .step = dt}) {}
+      : watched_(dimension, 2.5, 2, {5, 4}, elements, fsi::ContactMedium{.young_modulus = 1e4}, dt) {}
 
   /// Displacement, and velocities of fluid and mesh, of the reference point.
   void set(const Vector& displacement, const fem::Point& velocity = {}, const fem::Point& mesh_velocity = {}) {
-    fsi::State state = flow_.state();
-    const std::vector<double>& points = flow_.continuum().reference_points;
-    const int d = scene_->parent.dimension;
-    for (std::int32_t dof = 0; dof < flow_.velocity_space().num_dofs(); ++dof) {
-      fem::Point point = {0, 0, 0};
-      for (int k = 0; k < d; ++k) point[k] = points[static_cast<std::size_t>(dof) * d + k];
-      for (int k = 0; k < d; ++k) {
+    fsi::State state = watched_.flow.state();
+    watched_.at_each_point([&](std::int32_t dof, const fem::Point& point) {
+      for (int k = 0; k < watched_.scene->parent.dimension; ++k) {
         state.displacement.at(dof)[k] = displacement(point)[k];
         state.displacement_before.at(dof)[k] = displacement(point)[k] - dt * mesh_velocity[k];
         state.velocity.at(dof)[k] = 1.5 * velocity[k];
         state.velocity_before.at(dof)[k] = 0.5 * velocity[k];
       }
-    }
+    });
     state.last_dt = dt;
-    flow_.set_state(state);
+    watched_.flow.set_state(state);
   }
   /// Makes the cells with their centres in there contact cells.
   void close(const std::function<bool(const fem::Point&)>& is_inside) {
-    const mesh::Mesh& mesh = scene_->flow->mesh;
+    const mesh::Mesh& mesh = watched_.scene->flow->mesh;
     std::vector<char> marks(mesh.num_cells());
     for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
       fem::Point centre = {0, 0, 0};
@@ -57,27 +47,21 @@ class Plates {
       }
       marks[cell] = is_inside(centre);
     }
-    flow_.set_contact(marks);
+    watched_.flow.set_contact(marks);
   }
   GlottalOpening opening(const MonitorSettings& settings) const {
-    const Monitors monitors(flow_, {settings});
+    const Monitors monitors(watched_.flow, {settings});
     return monitors.opening(*monitors.glottises().at(0));
   }
-  std::vector<double> values(const MonitorSettings& settings) const { return Monitors(flow_, {settings}).evaluate(); }
+  std::vector<double> values(const MonitorSettings& settings) const {
+    return Monitors(watched_.flow, {settings}).evaluate();
+  }
   std::vector<std::string> columns(const MonitorSettings& settings) const {
-    return Monitors(flow_, {settings}).columns();
+    return Monitors(watched_.flow, {settings}).columns();
   }
 
  private:
-  static fsi::FlowSettings settings(fsi::Elements elements) {
-    fsi::FlowSettings result;
-    result.elements = elements;
-    result.solids = {{.region = "solid", .young_modulus = 1e5}};
-    result.contact = fsi::ContactMedium{.young_modulus = 1e4};
-    return result;
-  }
-  std::unique_ptr<Scene> scene_;
-  fsi::FsiSolver flow_;
+  WatchedFlow watched_;
 };
 
 MonitorSettings glottis_of(const std::string& group, const std::string& other) {
@@ -98,8 +82,6 @@ MonitorSettings half_of(const std::string& group, double plane) {
   return settings;
 }
 
-constexpr fsi::Elements both_elements[] = {fsi::Elements::p1p1, fsi::Elements::p2p1};
-const Vector rest = [](const fem::Point&) { return fem::Point{0, 0, 0}; };
 /// The plates y = 0 and y = 1 come together by 0.1 + 0.15 x (and 0.2 z).
 const Vector wedge = [](const fem::Point& x) {
   return fem::Point{0, (1 - x[1]) * 0.05 * x[0] - x[1] * (0.1 + 0.1 * x[0] + 0.2 * x[2]), 0};
@@ -231,7 +213,7 @@ TEST_CASE("air may flow along y, between a fold on the left and a plane on its r
 
 TEST_CASE("the impact stress is what presses the folds together") {
   // A block of tissue lies on another through a sealed layer, and its own weight on it.
-  auto scene = test::box_scene({1, 1, 0}, {4, 6, 0}, [](const fem::Point& centre) {
+  auto scene = box_scene({1, 1, 0}, {4, 6, 0}, [](const fem::Point& centre) {
     return centre[1] < 1.0 / 3 ? RegionKind::fluid : RegionKind::solid;
   });
   for (const fsi::Elements elements : both_elements) {
@@ -266,12 +248,7 @@ TEST_CASE("the impact stress is what presses the folds together") {
 TEST_CASE("folds that the flow's mesh lacks, or that do not face each other, are refused") {
   const Plates plates(2, fsi::Elements::p1p1), in_space(3, fsi::Elements::p1p1);
   const auto message = [](const Plates& of, const MonitorSettings& settings) {
-    try {
-      of.columns(settings);
-    } catch (const base::UserError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return message_of([&] { of.columns(settings); });
   };
   CHECK_THAT(message(plates, glottis_of("topp", "bottom")), Contains("did you mean \"top\""));
   CHECK_THAT(message(plates, glottis_of("right", "bottom")), Contains("that the fluid touches"));

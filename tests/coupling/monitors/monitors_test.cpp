@@ -1,67 +1,43 @@
 #include "coupling/monitors/monitors.hpp"
 
-#include <functional>
-
-#include "core/base/error.hpp"
-#include "fsi_solver/continuum.hpp"
 #include "tests/all_ranks.hpp"
-#include "tests/coupling/small_scene.hpp"
+#include "tests/coupling/monitors/watched_flow.hpp"
 
 using namespace vocalis;
 using namespace vocalis::coupling;
+using namespace vocalis::coupling::test;
 using Catch::Matchers::Contains;
 
 namespace {
 
-using Vector = std::function<fem::Point(const fem::Point&)>;
-
-/// A box [0, 2] x [0, 1] (x [0, 0.5]), solid in x > 1, with a flow that is set and never solved.
+/// A box [0, 2] x [0, 1] (x [0, 0.5]), solid in x > 1.
 class Watched {
  public:
-  Watched(int dimension, fsi::Elements elements)
-      : scene_(test::box_scene(
-            {2, 1, dimension == 2 ? 0 : 0.5}, {4, 3, 2},
-            [](const fem::Point& centre) { return centre[0] < 1 ? RegionKind::fluid : RegionKind::solid; })),
-        flow_(scene_->flow->mesh, settings(elements), time()) {}
+  Watched(int dimension, fsi::Elements elements) : watched_(dimension, 2, 1, {4, 3}, elements, {}, 1) {}
 
   /// Displacement and velocity as functions of the reference point.
   void set(const Vector& displacement, const Vector& velocity) {
-    fsi::State state = flow_.state();
-    const std::vector<double>& points = flow_.continuum().reference_points;
-    const int d = scene_->parent.dimension;
-    for (std::int32_t dof = 0; dof < flow_.velocity_space().num_dofs(); ++dof) {
-      fem::Point point = {0, 0, 0};
-      for (int k = 0; k < d; ++k) point[k] = points[static_cast<std::size_t>(dof) * d + k];
-      for (int k = 0; k < d; ++k) {
+    fsi::FsiSolver& flow = watched_.flow;
+    fsi::State state = flow.state();
+    watched_.at_each_point([&](std::int32_t dof, const fem::Point& point) {
+      for (int k = 0; k < watched_.scene->parent.dimension; ++k) {
         state.displacement.at(dof)[k] = displacement(point)[k];
         state.velocity.at(dof)[k] = velocity(point)[k];
       }
-    }
-    for (std::int32_t dof = 0; dof < flow_.pressure_space().num_dofs(); ++dof) {
-      const double* x = scene_->flow->mesh.point(flow_.pressure_space().dof_vertex[dof]);
+    });
+    for (std::int32_t dof = 0; dof < flow.pressure_space().num_dofs(); ++dof) {
+      const double* x = watched_.scene->flow->mesh.point(flow.pressure_space().dof_vertex[dof]);
       state.pressure.at(dof)[0] = 3 + 2 * x[0] - x[1];
     }
-    flow_.set_state(state);
+    flow.set_state(state);
   }
-  const fsi::FsiSolver& flow() const { return flow_; }
+  const fsi::FsiSolver& flow() const { return watched_.flow; }
   std::vector<double> values(const std::vector<MonitorSettings>& monitors) const {
-    return Monitors(flow_, monitors).evaluate();
+    return Monitors(flow(), monitors).evaluate();
   }
 
  private:
-  static fsi::FlowSettings settings(fsi::Elements elements) {
-    fsi::FlowSettings result;
-    result.elements = elements;
-    result.solids = {{.region = "solid", .young_modulus = 1e5}};
-    return result;
-  }
-  static fsi::TimeSettings time() {
-    fsi::TimeSettings result;
-    result.end = result.step = 1;
-    return result;
-  }
-  std::unique_ptr<Scene> scene_;
-  fsi::FsiSolver flow_;
+  WatchedFlow watched_;
 };
 
 MonitorSettings monitor_of(MonitorKind kind, const std::string& name) {
@@ -93,9 +69,6 @@ MonitorSettings at(MonitorKind kind, const fem::Point& position, const fem::Poin
   settings.other = other;
   return settings;
 }
-
-const Vector rest = [](const fem::Point&) { return fem::Point{0, 0, 0}; };
-constexpr fsi::Elements both_elements[] = {fsi::Elements::p1p1, fsi::Elements::p2p1};
 
 }  // namespace
 
@@ -200,7 +173,7 @@ TEST_CASE("the gap is a distance, on either side of the plane") {
 }
 
 TEST_CASE("a force has the components of the fluid's reaction, or is a coefficient") {
-  auto scene = test::box_scene({2, 1, 0}, {4, 3, 0}, [](const fem::Point&) { return RegionKind::fluid; });
+  auto scene = box_scene({2, 1, 0}, {4, 3, 0}, [](const fem::Point&) { return RegionKind::fluid; });
   for (const fsi::Elements elements : both_elements) {
     fsi::FlowSettings settings;
     settings.elements = elements;
@@ -230,60 +203,10 @@ TEST_CASE("a force has the components of the fluid's reaction, or is a coefficie
   }
 }
 
-TEST_CASE("the balance integrates a power by the trapezoidal rule from rest on") {
-  EnergyBalance balance;
-  for (const double time : {0.5, 0.7, 1.5, 2.0}) balance.advance(time, 3 * time);
-  CHECK(balance.work == Approx(6));
-  CHECK(balance.time == 2);
-  CHECK(balance.power == 6);
-}
-
-TEST_CASE("the energies of a bar that falls and swings balance, the better the smaller the step") {
-  auto scene = test::box_scene({2, 1, 0}, {4, 2, 0}, [](const fem::Point&) { return RegionKind::solid; });
-  fsi::FlowSettings settings;
-  settings.elements = fsi::Elements::p2p1;
-  settings.solids = {{.region = "solid", .density = 1000, .young_modulus = 1e6, .damping = 200}};
-  settings.gravity = {0, -10, 0};
-  settings.boundaries = {{.group = "left", .kind = fsi::FlowBoundaryKind::fixed}};
-  settings.newton_tolerance = 1e-9;
-  for (const fsi::TimeScheme scheme : {fsi::TimeScheme::theta, fsi::TimeScheme::bdf2}) {
-    double residual[2], largest = 0;
-    for (int i = 0; i < 2; ++i) {
-      const double step = i == 0 ? 0.004 : 0.002;
-      fsi::FsiSolver flow(scene->flow->mesh, settings, {.end = 1, .step = step, .scheme = scheme});
-      Monitors monitors(flow, {monitor_of(MonitorKind::energy, "energy")});
-      REQUIRE_ON_ALL_RANKS(monitors.columns().size() == 5);
-      std::vector<double> values;
-      for (int n = 0; n < (i == 0 ? 20 : 40); ++n) {
-        REQUIRE_ON_ALL_RANKS(flow.try_step(step).converged);
-        flow.accept();
-        monitors.follow_step();
-        values = monitors.evaluate();
-        largest = std::max(largest, values[0] + values[1]);
-      }
-      CHECK(values[0] > 0);
-      CHECK(values[1] > 0);
-      CHECK(values[3] > 0);
-      CHECK(values[0] + values[1] - monitors.balance().work == Approx(values[4]).margin(1e-9 * largest));
-      const double behind = scheme == fsi::TimeScheme::theta ? 0.5 * step : 0;
-      CHECK(monitors.balance().time == Approx(flow.time() - behind));
-      residual[i] = std::abs(values[4]);
-    }
-    INFO("residuals " << residual[0] << " and " << residual[1] << " of " << largest << " J");
-    CHECK(residual[1] < 5e-4 * largest);
-    CHECK(residual[1] < 0.3 * residual[0]);
-  }
-}
-
 TEST_CASE("what the flow's mesh lacks is refused") {
   const Watched watched(2, fsi::Elements::p1p1), in_space(3, fsi::Elements::p1p1);
   const auto message = [](const Watched& of, const std::vector<MonitorSettings>& monitors) {
-    try {
-      Monitors(of.flow(), monitors);
-    } catch (const base::UserError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return message_of([&] { Monitors(of.flow(), monitors); });
   };
   CHECK_THAT(message(watched, {flux_of("rigth")}), Contains("did you mean \"right\""));
   CHECK_THAT(message(watched, {gap_of("front", 1, 0)}), Contains("group of facets on the flow mesh"));

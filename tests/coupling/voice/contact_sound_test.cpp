@@ -8,6 +8,7 @@
 #include "coupling/voice/voice.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/coupling/small_scene.hpp"
+#include "tests/coupling/voice/swinging_mesh.hpp"
 
 using namespace vocalis;
 using namespace vocalis::coupling;
@@ -57,43 +58,12 @@ std::vector<char> plug(const Scene& scene, double low, double high) {
   return marks;
 }
 
-/// A flow at rest on a mesh that may swing along x.
-class Rest {
- public:
-  Rest(const Scene& scene, double amplitude)
-      : scene_(scene),
-        space_(fem::lagrange(scene.flow->mesh, 1)),
-        is_fluid_(fluid_cells(scene)),
-        amplitude_(amplitude) {}
-
-  fem::Field displacement(double time) const {
-    fem::Field result(space_, 2);
-    for (std::int32_t v = 0; v < space_.num_dofs(); ++v) {
-      const double x = scene_.flow->mesh.point(v)[0];
-      result.at(v)[0] = amplitude_ * std::sin(M_PI * x / 0.15) * std::sin(2 * M_PI * 2000 * time);
-    }
-    return result;
-  }
-
-  FlowView view(double begin) const {
-    const mesh::Mesh& mesh = scene_.flow->mesh;
-    FlowView view;
-    view.space = &space_;
-    view.time_begin = begin;
-    view.time_end = begin + dt;
-    view.cell_is_fluid = is_fluid_;
-    view.coordinates_middle = mesh.coordinates;
-    view.mesh_velocity = view.velocity_begin = view.velocity_end = std::vector<double>(mesh.coordinates.size(), 0.0);
-    view.pressure_begin = view.pressure_end = std::vector<double>(mesh.num_vertices(), 0.0);
-    return view;
-  }
-
- private:
-  const Scene& scene_;
-  fem::Space space_;
-  std::vector<std::int32_t> is_fluid_;
-  double amplitude_;
-};
+/// A flow at rest on a mesh that swings by so much along x.
+test::SwingingMesh at_rest(const Scene& scene, double amplitude) {
+  return {scene, [amplitude](double x, double t) {
+            return amplitude * std::sin(M_PI * x / 0.15) * std::sin(2 * M_PI * 2000 * t);
+          }};
+}
 
 /// A pulse of 1 Pa on the left; silence from 0.08 on.
 void shout(Voice& voice) {
@@ -106,9 +76,10 @@ void shout(Voice& voice) {
   voice.solver().set_state(std::move(state));
 }
 
-void go(Voice& voice, const Rest& flow, int first, int last) {
+void go(Voice& voice, const test::SwingingMesh& flow, int first, int last) {
   for (int n = first; n < last; ++n) {
-    CHECK(voice.follow(flow.view(n * dt), flow.displacement(n * dt), flow.displacement((n + 1) * dt)).converged);
+    const double begin = n * dt, end = (n + 1) * dt;
+    CHECK(voice.follow(flow.view(begin, end), flow.displacement(begin), flow.displacement(end)).converged);
   }
 }
 
@@ -131,7 +102,7 @@ Heard run(MPI_Comm comm, const acoustic::AcousticSettings& settings, double ampl
           Rebuilds* rebuilds = nullptr) {
   const auto scene = duct(comm);
   Voice voice(*scene, config_with_microphones(), settings);
-  const Rest flow(*scene, amplitude);
+  const test::SwingingMesh flow = at_rest(*scene, amplitude);
   shout(voice);
   go(voice, flow, 0, closes_at);
   voice.follow_contact(plug(*scene, low, high), flow.displacement(closes_at * dt));
@@ -183,7 +154,7 @@ TEST_CASE("the energy that stripping takes is told") {
   CHECK(std::abs(rebuilds.energy_lost) < 0.2 * pulse);
   const auto scene = duct();
   Voice voice(*scene, config_with_microphones(), settings_with(ContactCells::strip));
-  const Rest flow(*scene, 0);
+  const test::SwingingMesh flow = at_rest(*scene, 0);
   shout(voice);
   const double energy = voice.solver().energy();
   double lost = 0;
@@ -221,7 +192,7 @@ TEST_CASE("microphones hear the same on any ranks, though ranks lose all their a
 TEST_CASE("air that is closed off on both sides sounds by itself") {
   const auto scene = duct();
   Voice voice(*scene, config_with_microphones(), settings_with(ContactCells::strip));
-  const Rest flow(*scene, 0);
+  const test::SwingingMesh flow = at_rest(*scene, 0);
   shout(voice);
   std::vector<char> marks = plug(*scene, 0.01, 0.02);
   const std::vector<char> other = plug(*scene, 0.09, 0.1);
@@ -241,7 +212,7 @@ TEST_CASE("a voice put on the stripped air and given the state goes on as one th
   const Case config = config_with_microphones();
   Voice voice(*scene, config, settings_with(ContactCells::strip));
   Voice other(*other_scene, config, settings_with(ContactCells::strip));
-  const Rest flow(*scene, 1e-3), other_flow(*other_scene, 1e-3);
+  const test::SwingingMesh flow = at_rest(*scene, 1e-3), other_flow = at_rest(*other_scene, 1e-3);
   shout(voice);
   go(voice, flow, 0, 5);
   voice.follow_contact(plug(*scene, 0.09, 0.11), flow.displacement(5 * dt));
@@ -268,7 +239,7 @@ TEST_CASE("voices on one flow choose each for itself") {
   const Case config = config_with_microphones();
   Voice first(*scene, config, settings_with(ContactCells::strip)),
       second(*scene, config, settings_with(ContactCells::keep));
-  const Rest flow(*scene, 1e-3);
+  const test::SwingingMesh flow = at_rest(*scene, 1e-3);
   shout(first);
   shout(second);
   for (int n = 0; n < 30; ++n) {

@@ -7,6 +7,7 @@
 #include "core/base/mpi.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/coupling/small_scene.hpp"
+#include "tests/coupling/voice/swinging_mesh.hpp"
 
 using namespace vocalis;
 using namespace vocalis::coupling;
@@ -44,52 +45,37 @@ acoustic::AcousticSettings air(double step) {
   return settings;
 }
 
-/// The flow above as FlowView, on a mesh that moves by displacement(X, t) along x.
-class FakeFlow {
+/// The flow above, on a mesh that moves by displacement(X, t) along x.
+class BlownFlow {
  public:
-  FakeFlow(const Scene& scene, double (*displacement)(double x, double t))
-      : scene_(scene),
-        space_(fem::lagrange(scene.flow->mesh, 1)),
-        is_fluid_(fluid_cells(scene)),
-        displacement_(displacement) {}
+  BlownFlow(const Scene& scene, double (*displacement)(double x, double t))
+      : scene_(scene), swinging_(scene, displacement) {}
 
-  fem::Field displacement(double time) const {
-    fem::Field result(space_, 2);
-    for (std::int32_t v = 0; v < space_.num_dofs(); ++v) {
-      result.at(v)[0] = displacement_(scene_.flow->mesh.point(v)[0], time);
-    }
-    return result;
-  }
+  fem::Field displacement(double time) const { return swinging_.displacement(time); }
 
   FlowView view(double begin, double end) const {
-    const mesh::Mesh& mesh = scene_.flow->mesh;
-    FlowView view;
-    view.space = &space_;
-    view.time_begin = begin;
-    view.time_end = end;
-    view.cell_is_fluid = is_fluid_;
+    FlowView view = swinging_.view(begin, end);
     view.outlet = flow_outlet(scene_);
     view.walls = flow_walls(scene_);
     const fem::Field first = displacement(begin), last = displacement(end);
-    for (std::int32_t v = 0; v < mesh.num_vertices(); ++v) {
-      const double x = mesh.point(v)[0];
-      view.pressure_begin.push_back(incompressible(x + first.at(v)[0], begin));
-      view.pressure_end.push_back(incompressible(x + last.at(v)[0], end));
-      for (int k = 0; k < 2; ++k) {
-        view.coordinates_middle.push_back(mesh.point(v)[k] + 0.5 * (first.at(v)[k] + last.at(v)[k]));
-        view.mesh_velocity.push_back((last.at(v)[k] - first.at(v)[k]) / (end - begin));
-        view.velocity_begin.push_back(k == 0 ? blown(begin) : 0);
-        view.velocity_end.push_back(k == 0 ? blown(end) : 0);
-      }
+    for (std::int32_t v = 0; v < scene_.flow->mesh.num_vertices(); ++v) {
+      const double x = scene_.flow->mesh.point(v)[0];
+      view.pressure_begin[v] = incompressible(x + first.at(v)[0], begin);
+      view.pressure_end[v] = incompressible(x + last.at(v)[0], end);
+      view.velocity_begin[2 * static_cast<std::size_t>(v)] = blown(begin);
+      view.velocity_end[2 * static_cast<std::size_t>(v)] = blown(end);
     }
     return view;
   }
 
+  /// Whether a voice could follow it.
+  bool leads(Voice& voice, double begin, double end) const {
+    return voice.follow(view(begin, end), displacement(begin), displacement(end)).converged;
+  }
+
  private:
   const Scene& scene_;
-  fem::Space space_;
-  std::vector<std::int32_t> is_fluid_;
-  double (*displacement_)(double, double);
+  test::SwingingMesh swinging_;
 };
 
 double nowhere(double, double) { return 0; }
@@ -107,13 +93,10 @@ double error_of_duct(int cells, double (*displacement)(double, double), const st
   settings.analogy.name = analogy;
   settings.analogy.mean_time = 1e-2;
   Voice voice(*scene, config, settings);
-  const FakeFlow flow(*scene, displacement);
+  const BlownFlow flow(*scene, displacement);
   bool converged = true;
   for (int n = 0; n * dt < 3e-3; ++n) {
-    converged =
-        converged &&
-        voice.follow(flow.view(n * dt, (n + 1) * dt), flow.displacement(n * dt), flow.displacement((n + 1) * dt))
-            .converged;
+    converged = converged && flow.leads(voice, n * dt, (n + 1) * dt);
   }
   CHECK(converged);
   const auto block = voice.microphones().collect();
@@ -167,12 +150,9 @@ TEST_CASE("voices that share their matrices sound as each of them alone") {
     CHECK(differ_in_source_alone(settings, other_settings));
     Voice one(*scene, config, settings), alone(*scene, config, other_settings);
     Voice beside(*scene, config, other_settings, &one);
-    const FakeFlow flow(*scene, displacement);
+    const BlownFlow flow(*scene, displacement);
     for (int n = 50; n < 60; ++n) {
-      const FlowView view = flow.view(n * dt, (n + 1) * dt);
-      for (Voice* voice : {&one, &beside, &alone}) {
-        CHECK(voice->follow(view, flow.displacement(n * dt), flow.displacement((n + 1) * dt)).converged);
-      }
+      for (Voice* voice : {&one, &beside, &alone}) CHECK(flow.leads(*voice, n * dt, (n + 1) * dt));
     }
     double difference = 0, largest = 0;
     const auto p = beside.pressure().values, q = alone.pressure().values;
@@ -206,13 +186,12 @@ TEST_CASE("a prescribed flux is the sound of a piston") {
 TEST_CASE("the source fades in") {
   const auto scene = duct(40);
   const double dt = 1e-5;
-  const FakeFlow flow(*scene, nowhere);
+  const BlownFlow flow(*scene, nowhere);
   const auto sound_after_one_step = [&](double begin, double fade_in) {
     acoustic::AcousticSettings settings = air(dt);
     settings.analogy.fade_in = fade_in;
     Voice voice(*scene, case_with_microphones(), settings);
-    CHECK(
-        voice.follow(flow.view(begin, begin + dt), flow.displacement(begin), flow.displacement(begin + dt)).converged);
+    CHECK(flow.leads(voice, begin, begin + dt));
     double largest = 0;
     for (const double p : voice.solver().state().p) largest = std::max(largest, std::abs(p));
     return base::largest(MPI_COMM_WORLD, largest);
@@ -229,21 +208,16 @@ TEST_CASE("a voice that was moved and has forgotten its caches goes on as one th
   const double dt = 2e-5;
   const Case config = case_with_microphones();
   Voice voice(*scene, config, air(dt)), other(*other_scene, config, air(dt));
-  const FakeFlow flow(*scene, swing), other_flow(*other_scene, swing);
-  const auto step = [&](Voice& one, const FakeFlow& follows, int n) {
-    CHECK(
-        one.follow(follows.view(n * dt, (n + 1) * dt), follows.displacement(n * dt), follows.displacement((n + 1) * dt))
-            .converged);
-  };
-  for (int n = 0; n < 8; ++n) step(voice, flow, n);
+  const BlownFlow flow(*scene, swing), other_flow(*other_scene, swing);
+  for (int n = 0; n < 8; ++n) CHECK(flow.leads(voice, n * dt, (n + 1) * dt));
   voice.microphones().collect();
   other.solver().set_state(voice.solver().state());
   other.move_to(other_flow.displacement(8 * dt));
   voice.drop_caches();
   other.drop_caches();
   for (int n = 8; n < 12; ++n) {
-    step(voice, flow, n);
-    step(other, other_flow, n);
+    CHECK(flow.leads(voice, n * dt, (n + 1) * dt));
+    CHECK(other_flow.leads(other, n * dt, (n + 1) * dt));
   }
   CHECK(voice.solver().state().p == other.solver().state().p);
   CHECK(voice.solver().state().psi == other.solver().state().psi);
@@ -262,8 +236,8 @@ TEST_CASE("the flow's pressure at a microphone goes straight over a step, and en
   const double begin = 1.1e-3, dt = 1e-4;
   Voice voice(*scene, case_with_microphones(), air(dt / 4));
   CHECK(voice.in_flow() == std::vector<std::int32_t>{1, 0});
-  const FakeFlow flow(*scene, nowhere);
-  CHECK(voice.follow(flow.view(begin, begin + dt), flow.displacement(begin), flow.displacement(begin + dt)).converged);
+  const BlownFlow flow(*scene, nowhere);
+  CHECK(flow.leads(voice, begin, begin + dt));
   const auto block = voice.microphones().collect();
   REQUIRE_ON_ALL_RANKS(block.flow.size() == (base::rank(MPI_COMM_WORLD) == 0 ? 8u : 0u));
   for (std::size_t sample = 0; sample < block.times.size(); ++sample) {
