@@ -7,6 +7,7 @@
 
 #include "core/mesh/generate.hpp"
 #include "core/mesh/partition.hpp"
+#include "fsi_solver/settings.hpp"
 
 namespace vocalis::fsi::test {
 
@@ -31,6 +32,15 @@ inline mesh::Mesh box_of_regions(std::array<double, 3> size, std::array<int, 3> 
 
 inline mesh::Mesh box_of(const std::string& region, std::array<double, 3> size, std::array<int, 3> cells) {
   return box_of_regions(size, cells, {region}, [](const std::array<double, 3>&) { return 0; });
+}
+
+/// A condition on a side of the box; pressure [Pa].
+inline FlowBoundary boundary(const std::string& group, FlowBoundaryKind kind, double pressure = 0) {
+  FlowBoundary result;
+  result.group = group;
+  result.kind = kind;
+  result.pressure = pressure;
+  return result;
 }
 
 }  // namespace vocalis::fsi::test

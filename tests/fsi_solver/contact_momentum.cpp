@@ -4,20 +4,12 @@
 
 #include "core/base/mpi.hpp"
 #include "core/mesh/geometry.hpp"
-#include "fsi_solver/continuum.hpp"
-#include "fsi_solver/fsi_solver.hpp"
 #include "fsi_solver/measures/energy.hpp"
 #include "tests/all_ranks.hpp"
-#include "tests/fsi_solver/boxes.hpp"
+#include "tests/fsi_solver/contact_blocks.hpp"
 
 namespace vocalis::fsi {
 namespace {
-
-mesh::Mesh blocks() {
-  return test::box_of_regions({0.01, 0.01, 0}, {6, 10, 0}, {"low", "gap", "high"}, [](const auto& x) {
-    return x[1] < 0.004 ? 0 : x[1] < 0.006 ? 1 : 2;
-  });
-}
 
 /// No gravity and no wall: zero tractions all around.
 FlowSettings free_blocks(Elements elements) {
@@ -74,11 +66,9 @@ void start(FsiSolver& solver, double speed) {
 
 TEST_CASE("A closed contact conserves momentum to rounding, and makes no energy") {
   for (const Elements elements : {Elements::p1p1, Elements::p2p1}) {
-    const mesh::Mesh mesh = blocks();
+    const mesh::Mesh mesh = test::blocks();
     FsiSolver solver(mesh, free_blocks(elements), {.end = 1, .step = 2e-4});
-    std::vector<char> closed(mesh.num_cells());
-    for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) closed[cell] = mesh.cell_region[cell] == 1;
-    solver.set_contact(closed);
+    solver.set_contact(test::cells_between(solver));
     start(solver, 0.05);
     const std::array<double, 2> before = momentum(solver);
     const double size = std::hypot(before[0], before[1]);
@@ -104,7 +94,7 @@ TEST_CASE("A closed contact conserves momentum to rounding, and makes no energy"
 
 TEST_CASE("A contact with air beside it makes no energy") {
   for (const Elements elements : {Elements::p1p1, Elements::p2p1}) {
-    const mesh::Mesh mesh = blocks();
+    const mesh::Mesh mesh = test::blocks();
     FlowSettings flow = free_blocks(elements);
     for (FlowBoundary& boundary : flow.boundaries) boundary.kind = FlowBoundaryKind::outlet;
     const double dt = 5e-5;

@@ -14,13 +14,6 @@ namespace {
 
 using namespace test;
 
-FlowBoundary boundary(const std::string& group, FlowBoundaryKind kind) {
-  FlowBoundary result;
-  result.group = group;
-  result.kind = kind;
-  return result;
-}
-
 /// The largest difference of a velocity from a function of the place.
 template <class Function>
 double velocity_error(const FsiSolver& solver, const Function& exact) {

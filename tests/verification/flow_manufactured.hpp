@@ -16,13 +16,6 @@ namespace vocalis::fsi::test {
 using Point = std::array<double, 3>;
 using Function = std::function<Point(const Point&, double)>;
 
-inline FlowBoundary boundary(const std::string& group, FlowBoundaryKind kind) {
-  FlowBoundary result;
-  result.group = group;
-  result.kind = kind;
-  return result;
-}
-
 inline std::vector<FlowBoundary> velocity_all_around() {
   std::vector<FlowBoundary> result;
   for (const char* group : {"left", "right", "bottom", "top"}) {
