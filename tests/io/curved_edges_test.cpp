@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
-#include "core/base/error.hpp"
 #include "core/io/gmsh_reader.hpp"
 #include "tests/all_ranks.hpp"
+#include "tests/io/rank_0.hpp"
 #include "tests/io/temporary_folder.hpp"
 
 using namespace vocalis;
@@ -51,17 +50,6 @@ double disc_area(const mesh::WholeMesh& mesh) {
     area += 0.5 * chord * height + 2.0 / 3 * chord * (distance_from_axis(middle) - height);
   }
   return area;
-}
-
-std::string error_of(const std::function<void()>& work) {
-  std::string words;
-  try {
-    work();
-  } catch (const base::UserError& error) {
-    words = error.what();
-  }
-  REQUIRE_ON_ALL_RANKS(!words.empty());
-  return words;
 }
 
 /// A mesh file of one triangle with six nodes, one of them in the middle of the first edge, (0, 0) to (1, 0).

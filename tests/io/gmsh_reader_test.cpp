@@ -1,13 +1,12 @@
 #include "core/io/gmsh_reader.hpp"
 
 #include <cmath>
-#include <functional>
 
-#include "core/base/error.hpp"
 #include "core/io/geo_parameters.hpp"
 #include "core/mesh/facets.hpp"
 #include "core/mesh/geometry.hpp"
 #include "tests/all_ranks.hpp"
+#include "tests/io/rank_0.hpp"
 #include "tests/io/temporary_folder.hpp"
 
 using namespace vocalis;
@@ -33,18 +32,6 @@ std::string two_triangles(const std::string& third_point, const std::string& cel
          third_point + "\n4 0 1 0\n9 7 7 0\n$EndNodes\n$Elements\n" + cells + "$EndElements\n";
 }
 const std::string good_cells = "2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 4 3\n";
-
-/// The words of the UserError, "" if there is none. Every rank must get the same.
-std::string error_of(const std::function<void()>& work) {
-  std::string words;
-  try {
-    work();
-  } catch (const base::UserError& error) {
-    words = error.what();
-  }
-  REQUIRE_ON_ALL_RANKS(!words.empty());
-  return words;
-}
 
 std::string error_of_file(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
   const std::string path = folder.write(name, text);

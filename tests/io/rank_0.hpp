@@ -6,6 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
+#include "tests/all_ranks.hpp"
 
 namespace vocalis::io {
 
@@ -26,6 +27,14 @@ std::string user_error_of(const Work& work) {
     return error.what();
   }
   return {};
+}
+
+/// The words of the UserError that the work throws on every rank. Collective.
+template <class Work>
+std::string error_of(const Work& work) {
+  const std::string words = user_error_of(work);
+  REQUIRE_ON_ALL_RANKS(!words.empty());
+  return words;
 }
 
 }  // namespace vocalis::io
