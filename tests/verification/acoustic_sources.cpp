@@ -96,20 +96,18 @@ class OtherMesh {
   double height_;
 };
 
-double duct_with_release_on_two_meshes(int cells, int flow_cells) {
-  const double h = kLength / cells, dt = 0.5 * h / kSpeed;
-  const mesh::Mesh mesh = box_mesh({kLength, 2 * h, 0}, {cells, 2, 0});
-  const OtherMesh flow(mesh, flow_cells, 2 * h);
-  AcousticSettings settings = air(dt);
-  settings.boundaries = {{"right", AcousticBoundaryKind::pressure_release}};
-  AcousticSettings blown = settings;
-  blown.boundaries.push_back({"left", AcousticBoundaryKind::flux});
-  AcousticSolver direct(mesh, blown), sound(mesh, settings);
+using SourceAt = std::function<fem::Load(const fem::Space&, double time)>;
+
+/// Against direct acoustics of a duct of the flow's length, with p = 0 at its end.
+double difference_with_release(const mesh::Mesh& mesh, double dt, const SourceAt& source) {
+  AcousticSettings blown = air(dt), analogy = air(dt);
+  analogy.boundaries = {{"right", AcousticBoundaryKind::pressure_release}};
+  blown.boundaries = {{"right", AcousticBoundaryKind::pressure_release}, {"left", AcousticBoundaryKind::flux}};
+  AcousticSolver direct(mesh, blown), sound(mesh, analogy);
   const Source flux = {nullptr, nullptr, glottal_velocity};
   Difference difference;
   for (int n = 0; n * dt < 6e-3; ++n) {
-    const auto begin = flow.load(sound.space(), n * dt, -1, false);
-    const auto end = flow.load(sound.space(), (n + 1) * dt, -1, false);
+    const fem::Load begin = source(sound.space(), n * dt), end = source(sound.space(), (n + 1) * dt);
     CHECK(direct.advance(dt, {}, flux).converged);
     CHECK(sound.advance(dt, {}, {&begin, &end, {}}).converged);
     difference.add(mesh, total(sound, mesh), [&](std::int32_t v) { return direct.state().p[v]; });
@@ -118,36 +116,28 @@ double duct_with_release_on_two_meshes(int cells, int flow_cells) {
 }
 
 double duct_with_release(int cells, double sign) {
-  const double h = kLength / cells, dt = 0.5 * h / kSpeed;
-  const mesh::Mesh mesh = box_mesh({kLength, 2 * h, 0}, {cells, 2, 0});
-  AcousticSettings blown = air(dt), analogy = air(dt);
-  analogy.boundaries = {{"right", AcousticBoundaryKind::pressure_release}};
-  blown.boundaries = {{"right", AcousticBoundaryKind::pressure_release}, {"left", AcousticBoundaryKind::flux}};
-  AcousticSolver direct(mesh, blown), sound(mesh, analogy);
-  const Source flux = {nullptr, nullptr, glottal_velocity};
-  Difference difference;
-  for (int n = 0; n * dt < 6e-3; ++n) {
-    const auto begin = pressure_rate(sound.space(), n * dt, sign, false, 2 * h, h);
-    const auto end = pressure_rate(sound.space(), (n + 1) * dt, sign, false, 2 * h, h);
-    CHECK(direct.advance(dt, {}, flux).converged);
-    CHECK(sound.advance(dt, {}, {&begin, &end, {}}).converged);
-    difference.add(mesh, total(sound, mesh), [&](std::int32_t v) { return direct.state().p[v]; });
-  }
-  return difference.relative(mesh);
+  const double h = kLength / cells;
+  return difference_with_release(
+      box_mesh({kLength, 2 * h, 0}, {cells, 2, 0}), 0.5 * h / kSpeed,
+      [&](const fem::Space& space, double time) { return pressure_rate(space, time, sign, false, 2 * h, h); });
 }
 
-/// The air goes on to 1.9 L, so that the flow ends inside of a cell.
-double duct_that_goes_on_over_another_mesh(int cells, int flow_cells, bool with_outlet) {
-  const double length = 1.9 * kLength, h = length / cells, dt = 0.5 * h / kSpeed;
-  const mesh::Mesh mesh = box_mesh({length, 2 * h, 0}, {cells, 2, 0});
+double duct_with_release_on_two_meshes(int cells, int flow_cells) {
+  const double h = kLength / cells;
+  const mesh::Mesh mesh = box_mesh({kLength, 2 * h, 0}, {cells, 2, 0});
   const OtherMesh flow(mesh, flow_cells, 2 * h);
+  return difference_with_release(
+      mesh, 0.5 * h / kSpeed, [&](const fem::Space& space, double time) { return flow.load(space, time, -1, false); });
+}
+
+/// Against the wave that travels on through a duct longer than the flow.
+double difference_going_on(const mesh::Mesh& mesh, double dt, const SourceAt& source) {
   AcousticSettings settings = air(dt);
   settings.boundaries = {{"right", AcousticBoundaryKind::open}};
   AcousticSolver sound(mesh, settings);
   Difference difference;
   for (int n = 0; n * dt < 4e-3; ++n) {
-    const auto begin = flow.load(sound.space(), n * dt, -1, with_outlet);
-    const auto end = flow.load(sound.space(), (n + 1) * dt, -1, with_outlet);
+    const fem::Load begin = source(sound.space(), n * dt), end = source(sound.space(), (n + 1) * dt);
     CHECK(sound.advance(dt, {}, {&begin, &end, {}}).converged);
     const double t = sound.state().time;
     difference.add(mesh, total(sound, mesh),
@@ -157,21 +147,20 @@ double duct_that_goes_on_over_another_mesh(int cells, int flow_cells, bool with_
 }
 
 double duct_that_goes_on(int cells, bool with_outlet) {
-  const double h = 2 * kLength / cells, dt = 0.5 * h / kSpeed;
-  const mesh::Mesh mesh = box_mesh({2 * kLength, 2 * h, 0}, {cells, 2, 0});
-  AcousticSettings settings = air(dt);
-  settings.boundaries = {{"right", AcousticBoundaryKind::open}};
-  AcousticSolver sound(mesh, settings);
-  Difference difference;
-  for (int n = 0; n * dt < 4e-3; ++n) {
-    const auto begin = pressure_rate(sound.space(), n * dt, -1, with_outlet, 2 * h, h);
-    const auto end = pressure_rate(sound.space(), (n + 1) * dt, -1, with_outlet, 2 * h, h);
-    CHECK(sound.advance(dt, {}, {&begin, &end, {}}).converged);
-    const double t = sound.state().time;
-    difference.add(mesh, total(sound, mesh),
-                   [&](std::int32_t v) { return kDensity * kSpeed * glottal_velocity(t - mesh.point(v)[0] / kSpeed); });
-  }
-  return difference.relative(mesh);
+  const double h = 2 * kLength / cells;
+  return difference_going_on(
+      box_mesh({2 * kLength, 2 * h, 0}, {cells, 2, 0}), 0.5 * h / kSpeed,
+      [&](const fem::Space& space, double time) { return pressure_rate(space, time, -1, with_outlet, 2 * h, h); });
+}
+
+/// The air goes on to 1.9 L, so that the flow ends inside of a cell.
+double duct_that_goes_on_over_another_mesh(int cells, int flow_cells, bool with_outlet) {
+  const double length = 1.9 * kLength, h = length / cells;
+  const mesh::Mesh mesh = box_mesh({length, 2 * h, 0}, {cells, 2, 0});
+  const OtherMesh flow(mesh, flow_cells, 2 * h);
+  return difference_going_on(mesh, 0.5 * h / kSpeed, [&](const fem::Space& space, double time) {
+    return flow.load(space, time, -1, with_outlet);
+  });
 }
 
 }  // namespace

@@ -40,18 +40,28 @@ Point swaying(const Point& x, double t) {
   return {a * std::sin(pi * x[0]) * std::sin(2 * pi * x[1]), -a * std::sin(2 * pi * x[0]) * std::sin(pi * x[1]), 0};
 }
 
-/// Nodal values at the end of a run to time 0.4, for differences between time steps on one mesh.
-std::vector<double> vortex_at_end(int steps, TimeSettings scheme, bool moving, const mesh::Mesh& mesh) {
-  const Vortex vortex;
+FlowSettings settings_of(const Vortex& vortex) {
   FlowSettings settings;
   settings.density = vortex.density;
   settings.viscosity = vortex.viscosity;
   settings.boundaries = velocity_all_around();
+  return settings;
+}
+
+Prescribed prescribe(const Vortex& vortex, bool moving) {
+  Prescribed result;
+  result.velocity = [vortex](const Point& x, double t) { return vortex.velocity(x, t); };
+  result.fluid_force = [vortex](const Point& x, double t) { return vortex.force(x, t); };
+  if (moving) result.mesh_displacement = swaying;
+  return result;
+}
+
+/// Nodal values at the end of a run to time 0.4, for differences between time steps on one mesh.
+std::vector<double> vortex_at_end(int steps, TimeSettings scheme, bool moving, const mesh::Mesh& mesh) {
+  const Vortex vortex;
+  FlowSettings settings = settings_of(vortex);
   settings.newton_tolerance = 1e-12;
-  Prescribed prescribed;
-  prescribed.velocity = [&](const Point& x, double t) { return vortex.velocity(x, t); };
-  prescribed.fluid_force = [&](const Point& x, double t) { return vortex.force(x, t); };
-  if (moving) prescribed.mesh_displacement = swaying;
+  const Prescribed prescribed = prescribe(vortex, moving);
   FsiSolver solver(mesh, settings, scheme, prescribed);
   start_from(solver, prescribed.velocity, prescribed.mesh_displacement);
   const StepReport report = run(solver, 0.4 / steps, steps);
@@ -69,16 +79,10 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 Errors vortex_errors(Elements elements, int cells, double dt, int steps, TimeSettings scheme, bool moving) {
   const Vortex vortex;
   const mesh::Mesh mesh = box_of("fluid", {1, 1, 0}, {cells, cells, 0});
-  FlowSettings settings;
+  FlowSettings settings = settings_of(vortex);
   settings.elements = elements;
-  settings.density = vortex.density;
-  settings.viscosity = vortex.viscosity;
-  settings.boundaries = velocity_all_around();
   settings.newton_tolerance = 1e-11;
-  Prescribed prescribed;
-  prescribed.velocity = [&](const Point& x, double t) { return vortex.velocity(x, t); };
-  prescribed.fluid_force = [&](const Point& x, double t) { return vortex.force(x, t); };
-  if (moving) prescribed.mesh_displacement = swaying;
+  const Prescribed prescribed = prescribe(vortex, moving);
   FsiSolver solver(mesh, settings, scheme, prescribed);
   start_from(solver, prescribed.velocity, prescribed.mesh_displacement);
   const StepReport report = run(solver, dt, steps);
