@@ -49,8 +49,8 @@ std::vector<std::int32_t> points_of(const mesh::Mesh& mesh, const std::vector<me
   return points;
 }
 
-/// Sums over contact cells: their number, normal stress, opening rate; those at the fluid, its pressure there.
-using GroupLoad = std::array<double, 5>;
+/// Sums over contact cells: their number and normal stress; the number of those at the fluid, and its pressure there.
+using GroupLoad = std::array<double, 4>;
 
 }  // namespace
 
@@ -132,7 +132,7 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
   const auto walls = measure(coordinates, proposal.reason);
   if (!walls) return proposal;
   const AxisGap gaps = axis_gap(*walls, coordinates, settings_.gamma);
-  open_and_close(gaps, find_parting(coordinates, state, load), proposal);
+  open_and_close(gaps, find_pulled(coordinates, state, load), proposal);
   double clearance = bound_;
   for (std::size_t cell = 0; cell < gaps.gap.size(); ++cell) {
     clearance = std::min(clearance, gaps.gap[cell] - closes_below_[cell]);
@@ -154,8 +154,8 @@ ContactProposal ContactSearch::propose(std::span<const double> coordinates, cons
 }
 
 /// Whether each contact cell is of a group that shall open: all that are nearest to one closed cell of the axis.
-std::vector<char> ContactSearch::find_parting(std::span<const double> coordinates, const ContactState& state,
-                                              const ContactLoad& load) const {
+std::vector<char> ContactSearch::find_pulled(std::span<const double> coordinates, const ContactState& state,
+                                             const ContactLoad& load) const {
   const ClosedCells closed = gather_closed(*mesh_, coordinates, state.closing_gap, state.normal);
   std::vector<GroupLoad> groups(closed.count());
   std::vector<std::size_t> cell_to_group(length_.size(), 0);
@@ -163,27 +163,27 @@ std::vector<char> ContactSearch::find_parting(std::span<const double> coordinate
     if (!state.in_contact[cell] || groups.empty()) continue;
     cell_to_group[cell] = closed.nearest(middle(*mesh_, cell, coordinates)).index;
     GroupLoad& group = groups[cell_to_group[cell]];
-    const double part[] = {1, load.normal_stress[cell], load.opening_rate[cell]};
-    for (int i = 0; i < 3; ++i) group[i] += part[i];
+    group[0] += 1;
+    group[1] += load.normal_stress[cell];
     if (std::isnan(load.fluid_pressure[cell])) continue;
-    group[3] += 1;
-    group[4] += load.fluid_pressure[cell];
+    group[2] += 1;
+    group[3] += load.fluid_pressure[cell];
   }
   if (!groups.empty()) {
-    MPI_Allreduce(MPI_IN_PLACE, groups.data(), static_cast<int>(5 * groups.size()), MPI_DOUBLE, MPI_SUM, mesh_->comm);
+    MPI_Allreduce(MPI_IN_PLACE, groups.data(), static_cast<int>(4 * groups.size()), MPI_DOUBLE, MPI_SUM, mesh_->comm);
   }
-  std::vector<char> is_parting(length_.size(), 0);
+  std::vector<char> is_pulled(length_.size(), 0);
   for (std::size_t cell = 0; cell < length_.size(); ++cell) {
     if (!state.in_contact[cell] || groups.empty()) continue;
-    const auto& [cells, stress, rate, at_fluid, pressures] = groups[cell_to_group[cell]];
+    const auto& [cells, stress, at_fluid, pressures] = groups[cell_to_group[cell]];
     const double pressure = at_fluid > 0 ? pressures / at_fluid : load.lowest_fluid_pressure;
-    is_parting[cell] = stress / cells > -pressure && (rate > 0 || settings_.opens == Opening::pulled);
+    is_pulled[cell] = stress / cells > -pressure;
   }
-  return is_parting;
+  return is_pulled;
 }
 
 /// The cells of the axis, on this rank.
-void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is_parting,
+void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is_pulled,
                                    ContactProposal& proposal) const {
   const int d = mesh_->dimension;
   ContactState& state = proposal.state;
@@ -192,7 +192,7 @@ void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is
     const double gap = gaps.gap[cell];
     if (state.closing_gap[cell] > 0) {
       const bool is_wide = std::isfinite(gap) && gap > apart * state.closing_gap[cell];
-      if (is_wide || is_parting[cell]) {
+      if (is_wide || is_pulled[cell]) {
         state.opening_gap[cell] = std::isfinite(gap) ? gap : state.closing_gap[cell];
         state.closing_gap[cell] = 0;
         ++proposal.opening;
@@ -200,7 +200,7 @@ void ContactSearch::open_and_close(const AxisGap& gaps, std::span<const char> is
     } else {
       double below = closes_below_[cell];
       // Cells of the axis that were in contact beside one that opens must not close in its place.
-      if (is_parting[cell] && std::isfinite(gap)) state.opening_gap[cell] = gap;
+      if (is_pulled[cell] && std::isfinite(gap)) state.opening_gap[cell] = gap;
       if (gap > apart * below) state.opening_gap[cell] = 0;
       if (state.opening_gap[cell] > 0) below = std::min(below, closes_again * state.opening_gap[cell]);
       if (gap < below) {

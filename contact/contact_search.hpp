@@ -10,9 +10,6 @@
 namespace vocalis::contact {
 
 enum class DistanceMethod { direct, eikonal };
-/// Whether a contact that presses less than the fluid would holds until its walls move apart. A layer that sticks to
-/// them keeps its volume, so that its rate says little: `parting` may hold walls that pull by far.
-enum class Opening { parting, pulled };
 
 /// When walls count as touching. h is a cell's length in the mesh at rest, (d! measure)^(1/d).
 struct ContactSettings {
@@ -21,7 +18,6 @@ struct ContactSettings {
   double gamma = 0.5;        ///< |∇D| on the medial axis, see `axis_gap`
   double release_gap = 0.2;  ///< cells open where the gap is wider by this share than it was at closing
   DistanceMethod distance = DistanceMethod::direct;
-  Opening opens = Opening::parting;
 };
 
 /// Which cells are in contact, and what is remembered of them. All of owned cells.
@@ -35,7 +31,6 @@ struct ContactState {
 /// How contact cells were loaded in a step; of owned cells.
 struct ContactLoad {
   std::vector<double> normal_stress;   ///< [Pa] n·σ·n, negative under pressure
-  std::vector<double> opening_rate;    ///< [1/s] n·∇v·n, positive when the walls move apart
   std::vector<double> fluid_pressure;  ///< [Pa] of the fluid that a cell touches, NaN if it touches none
   double lowest_fluid_pressure = 0;    ///< [Pa] around all contact cells
 };
@@ -53,10 +48,10 @@ struct ContactProposal {
 /// between the walls. A cell of the axis closes where its gap falls below the smaller of 2 α h and half of the gap at
 /// rest (so that corners and narrow channels between rigid walls never close). It opens, with the contact cells that
 /// are nearest to it, where they press less than the fluid would that they touch (inside of a contact: than the lowest
-/// pressure around), for `parting` while the walls move apart, or where the gap has become wider than at closing by
-/// `release_gap`. One that has just opened closes again only when it is a tenth narrower than then, or has been apart.
-/// All cells near closed ones are in contact, and so are pockets that they cut off. Source: Degirmenci 2018, Algorithm
-/// 2, with the gap in place of D, and conditions to open, which it lacks.
+/// pressure around), or where the gap has become wider than at closing by `release_gap`. One that has just opened
+/// closes again only when it is a tenth narrower than then, or has been apart. All cells near closed ones are in
+/// contact, and so are pockets that they cut off. Source: Degirmenci 2018, Algorithm 2, with the gap in place of D, and
+/// conditions to open, which it lacks.
 class ContactSearch {
  public:
   /// mesh           at rest; must outlive the search
@@ -82,9 +77,9 @@ class ContactSearch {
 
  private:
   std::optional<WallDistance> measure(std::span<const double> coordinates, std::string& reason);
-  std::vector<char> find_parting(std::span<const double> coordinates, const ContactState& state,
-                                 const ContactLoad& load) const;
-  void open_and_close(const AxisGap& gaps, std::span<const char> is_parting, ContactProposal& proposal) const;
+  std::vector<char> find_pulled(std::span<const double> coordinates, const ContactState& state,
+                                const ContactLoad& load) const;
+  void open_and_close(const AxisGap& gaps, std::span<const char> is_pulled, ContactProposal& proposal) const;
   void spread(const WallDistance& walls, std::span<const double> coordinates, const ContactState& before,
               ContactProposal& proposal) const;
 

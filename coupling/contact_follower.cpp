@@ -113,8 +113,8 @@ ContactFollower::Verdict ContactFollower::judge_step() {
   }
   ++report_.searches;
   const fsi::ContactLoad load = fsi::contact_load(flow_, state_.normal);
-  proposal_ = search_.propose(coordinates, state_,
-                              {load.normal_stress, load.opening_rate, load.fluid_pressure, load.lowest_fluid_pressure});
+  proposal_ =
+      search_.propose(coordinates, state_, {load.normal_stress, load.fluid_pressure, load.lowest_fluid_pressure});
   seconds_ += watch.seconds();
   return {proposal_->depth < too_deep, proposal_->reason};
 }

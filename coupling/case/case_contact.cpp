@@ -41,8 +41,6 @@ void read_contact(base::Table& root, Case& config) {
   settings.distance = table->choice_or<contact::DistanceMethod>(
       "distance", settings.distance,
       {{"direct", contact::DistanceMethod::direct}, {"eikonal", contact::DistanceMethod::eikonal}});
-  settings.opens = table->choice_or<contact::Opening>(
-      "opens", settings.opens, {{"parting", contact::Opening::parting}, {"pulled", contact::Opening::pulled}});
   fsi::ContactMedium& medium = config.flow->contact.emplace();
   const std::vector<fsi::SolidMaterial>& solids = config.flow->solids;
   medium.young_modulus =

@@ -28,16 +28,11 @@ Lanes dot(const std::array<Lanes, D>& a, const std::array<Lanes, D>& b) {
   return sum;
 }
 
-struct BatchLoad {
-  Lanes normal_stress{}, opening_rate{};
-};
-
-/// With m = J F⁻ᵀN: J n·σ·n = m·P Fᵀm / |m|², and Fᵀm = J N.
+/// Mean of n·σ·n. With m = J F⁻ᵀN: J n·σ·n = m·P Fᵀm / |m|², and Fᵀm = J N.
 template <int D, int Degree>
-BatchLoad batch_load(const CellInput<D, Degree>& in, const Elasticity& medium, const std::array<Lanes, D>& normal) {
+Lanes normal_stress(const CellInput<D, Degree>& in, const Elasticity& medium, const std::array<Lanes, D>& normal) {
   using E = Element<D, Degree>;
-  BatchLoad sum;
-  Lanes measure{};
+  Lanes sum{}, measure{};
   for (const typename E::Point& point : E::points()) {
     const auto geometry = geometry_at<D, Degree>(point, in.position);
     const Lanes weight = point.weight * geometry.determinant;
@@ -48,16 +43,11 @@ BatchLoad batch_load(const CellInput<D, Degree>& in, const Elasticity& medium, c
     for (int b = 0; b <= D; ++b) pressure += in.pressure[b] * point.corner[b];
     const Matrix<D, Lanes> cof = cofactor<D>(f);
     const std::array<Lanes, D> m = times<D>(cof, normal);
-    const Lanes square = dot<D>(m, m), j = determinant<D>(f);
     const Matrix<D, Lanes> p = with_law(medium, in, [&](const auto& law) { return law.stress(f, rate, pressure); });
-    sum.normal_stress += weight * dot<D>(m, times<D>(p, normal)) / square;
-    // n·Ḟ F⁻¹ n, F⁻¹ = cofᵀ / J
-    sum.opening_rate += weight * dot<D>(m, times<D>(rate, times<D>(transposed<D>(cof), m))) / (square * j);
+    sum += weight * dot<D>(m, times<D>(p, normal)) / dot<D>(m, m);
     measure += weight;
   }
-  sum.normal_stress = sum.normal_stress / measure;
-  sum.opening_rate = sum.opening_rate / measure;
-  return sum;
+  return sum / measure;
 }
 
 template <int D, int Degree>
@@ -76,10 +66,9 @@ void fill(const FsiSolver& solver, std::span<const double> normal, ContactLoad& 
       }
       normals[k] = component;
     }
-    const BatchLoad found = batch_load<D, Degree>(in, continuum.elasticity[solid], normals);
+    const Lanes found = normal_stress<D, Degree>(in, continuum.elasticity[solid], normals);
     for (int lane = 0; lane < active; ++lane) {
-      load.normal_stress[cells[lane]] = found.normal_stress[lane];
-      load.opening_rate[cells[lane]] = found.opening_rate[lane];
+      load.normal_stress[cells[lane]] = found[lane];
     }
   }
 }
@@ -131,7 +120,6 @@ ContactLoad contact_load(const FsiSolver& solver, std::span<const double> normal
   const Continuum& continuum = solver.continuum();
   ContactLoad load;
   load.normal_stress.assign(continuum.mesh->num_cells(), 0.0);
-  load.opening_rate.assign(continuum.mesh->num_cells(), 0.0);
   if (!continuum.batches.batches.empty() && continuum.contact >= 0) {
     with_element(continuum.velocity_space, [&]<int D, int Degree>() { fill<D, Degree>(solver, normal, load); });
   }

@@ -11,7 +11,6 @@ namespace vocalis::fsi {
 /// contact when it closed, n = F⁻ᵀN / |F⁻ᵀN| and σ = P Fᵀ / J. Owned cells; 0 in cells that are not in contact.
 struct ContactLoad {
   std::vector<double> normal_stress;   ///< n·σ·n [Pa], negative under pressure
-  std::vector<double> opening_rate;    ///< n·(∇v)n [1/s]
   std::vector<double> fluid_pressure;  ///< [Pa] of the fluid beside: a mean, NaN in a cell that touches none
   double lowest_fluid_pressure = 0;    ///< [Pa] beside any contact cell; 0 if there is none
 };

@@ -21,7 +21,7 @@ BOUNCES = {
     "fast": {"time.end": 0.075},
     "slow": {"flow.gravity": [0.0, -2.4525], "time.end": 0.15, "statistics.begin": 0.092,
              "mesh.parameters.h_contact": 0.00057},
-    "compressible": {"time.end": 0.075, "contact.opens": "pulled"},
+    "compressible": {"time.end": 0.075},
 }
 POISSON_RATIOS = {"fast": 0.4, "slow": 0.4, "compressible": 0.2}
 

@@ -21,7 +21,6 @@ struct Channel {
         search(mesh, fluid, walls(), {}, settings),
         state(search.open_state()) {
     load.normal_stress.assign(mesh.num_cells(), -1);
-    load.opening_rate.assign(mesh.num_cells(), -1);
     load.fluid_pressure.assign(mesh.num_cells(), std::numeric_limits<double>::quiet_NaN());
   }
   std::vector<mesh::NamedFacet> walls() const {
@@ -91,34 +90,18 @@ TEST_CASE("A channel that is narrow at rest does not close before its gap has ha
 TEST_CASE("Contact opens where it presses less than the fluid would, and does not close again at once") {
   Channel channel(4);
   const std::int64_t closed = channel.move([](double) { return 0.1; }).closed;
-  channel.load.lowest_fluid_pressure = 2;
-  CHECK(channel.move([](double) { return 0.1; }).closed == closed);  // the walls come nearer
-  std::fill(channel.load.opening_rate.begin(), channel.load.opening_rate.end(), 1.0);
-  channel.load.lowest_fluid_pressure = 0;
   CHECK(channel.move([](double) { return 0.1; }).closed == closed);  // it presses more
   for (std::int32_t cell = 0; cell < channel.mesh.num_cells(); ++cell) {
     if (channel.mesh.point(channel.mesh.vertices_of(cell)[0])[0] < 1) channel.load.fluid_pressure[cell] = 2;
   }
   const ContactProposal half = channel.move([](double) { return 0.1; });
   CHECK(half.opening == Approx(0.5 * static_cast<double>(closed)).epsilon(0.15));
-  std::fill(channel.load.opening_rate.begin(), channel.load.opening_rate.end(), -1.0);
+  std::fill(channel.load.normal_stress.begin(), channel.load.normal_stress.end(), -3.0);
   CHECK(channel.move([](double) { return 0.1; }).closing == 0);
   CHECK(channel.move([](double) { return 0.095; }).closing == 0);
   const ContactProposal again = channel.move([](double) { return 0.085; });
   CHECK(again.closing >= half.opening);
   CHECK(again.closed == closed);
-}
-
-TEST_CASE("Contact that is pulled opens while its walls come nearer, if it is to") {
-  ContactSettings settings;
-  settings.opens = Opening::pulled;
-  Channel pulled(4, settings), parting(4);
-  for (Channel* channel : {&pulled, &parting}) {
-    REQUIRE_ON_ALL_RANKS(channel->move([](double) { return 0.1; }).closed > 0);
-    channel->load.lowest_fluid_pressure = 2;
-  }
-  CHECK(pulled.move([](double) { return 0.1; }).closed == 0);
-  CHECK(parting.move([](double) { return 0.1; }).closed > 0);
 }
 
 TEST_CASE("A pocket between closed cells closes if it is narrow, a chamber does not") {
