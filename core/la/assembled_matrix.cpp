@@ -72,6 +72,7 @@ AssembledMatrix::AssembledMatrix(const SystemLayout& layout, std::span<const Pet
   base::check(MatSetSizes(matrix_.get(), layout.num_owned(), layout.num_owned(), PETSC_DETERMINE, PETSC_DETERMINE));
   base::check(MatSetType(matrix_.get(), MATAIJ));
   base::check(MatSetPreallocationCOO(matrix_.get(), static_cast<PetscCount>(rows.size()), rows.data(), columns.data()));
+  base::check(MatSetValuesCOO(matrix_.get(), all_values_.data(), INSERT_VALUES));  // so that its rows can be read
 }
 
 void AssembledMatrix::assemble(std::span<const double> values) {

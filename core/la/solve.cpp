@@ -19,19 +19,6 @@ PetscLinearSolver create_linear_solver(MPI_Comm comm, const LinearSolverSettings
   return solver;
 }
 
-PetscLinearSolver create_direct_solver(MPI_Comm comm, const std::string& prefix, bool symmetric_positive) {
-  PetscLinearSolver solver;
-  base::check(KSPCreate(comm, solver.put()));
-  base::check(KSPSetOptionsPrefix(solver.get(), prefix.c_str()));
-  base::check(KSPSetType(solver.get(), KSPPREONLY));
-  PC preconditioner = nullptr;
-  base::check(KSPGetPC(solver.get(), &preconditioner));
-  base::check(PCSetType(preconditioner, symmetric_positive ? PCCHOLESKY : PCLU));
-  base::check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
-  base::check(KSPSetFromOptions(solver.get()));
-  return solver;
-}
-
 SolveReport solve(KSP solver, Vec right_hand_side, Vec solution) {
   base::check(KSPSolve(solver, right_hand_side, solution));
   SolveReport report;

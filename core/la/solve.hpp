@@ -27,10 +27,6 @@ struct LinearSolverSettings {
 /// A Krylov solver. Collective.
 PetscLinearSolver create_linear_solver(MPI_Comm comm, const LinearSolverSettings& settings);
 
-/// One direct factorisation (MUMPS unless the options say otherwise), reused until the matrix changes.
-/// Collective.
-PetscLinearSolver create_direct_solver(MPI_Comm comm, const std::string& prefix, bool symmetric_positive);
-
 /// Solves A x = b with the operators set in the solver. Collective.
 SolveReport solve(KSP solver, Vec right_hand_side, Vec solution);
 

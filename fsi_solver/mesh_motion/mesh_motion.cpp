@@ -73,7 +73,7 @@ MeshMotion::MeshMotion(const Continuum& continuum, const Conditions& conditions,
   // Columns of constrained unknowns stay: a right hand side that holds their values is then all that a solve needs.
   matrix_ = std::make_unique<la::AssembledMatrix>(layout_, rows, d * (d + 1), constrained);
   matrix_->assemble(d == 2 ? cell_matrices<2>(continuum, stiffening) : cell_matrices<3>(continuum, stiffening));
-  solver_ = create_gathered_solver(mesh.comm, "mesh_motion_", Reuse::many_solves);
+  solver_ = create_repeatable_solver(matrix_->get(), "mesh_motion_", Reuse::many_solves);
   base::check(KSPSetOperators(solver_.get(), matrix_->get(), matrix_->get()));
   right_hand_side_ = la::create_vector(mesh.comm, layout_.num_owned());
   solution_ = la::create_vector(mesh.comm, layout_.num_owned());

@@ -56,7 +56,7 @@ NonlinearSmoother::NonlinearSmoother(const Continuum& continuum, const Condition
   }
   // Columns of constrained unknowns stay: a right hand side that holds their steps is then all that a solve needs.
   matrix_ = std::make_unique<la::AssembledMatrix>(layout_, rows, d * (d + 1), constrained);
-  solver_ = create_gathered_solver(mesh.comm, "mesh_smoother_", Reuse::many_solves);
+  solver_ = create_repeatable_solver(matrix_->get(), "mesh_smoother_", Reuse::many_solves);
   right_hand_side_ = la::create_vector(mesh.comm, layout_.num_owned());
   solution_ = la::create_vector(mesh.comm, layout_.num_owned());
 }

@@ -2,20 +2,19 @@
 
 #include <string>
 
-#include "core/la/petsc.hpp"
+#include "fsi_solver/solution/gathered_factors.hpp"
 
 namespace vocalis::fsi {
 
-/// How often a factorisation is used: MUMPS factors fast, PETSc's own factors (nested dissection) solve fast.
-enum class Reuse { few_solves, many_solves };
-
-/// A direct solver that gathers the system on one rank and factors it there, so that its answer is the same bit by bit
-/// in every run on the same ranks (MUMPS on several ranks sums in the order in which messages arrive). For systems of
-/// plane problems, where one processor is as fast as two. The user's options `-PREFIX_...` win.
+/// A direct solver whose answer is the same bit by bit in every run on the same ranks (MUMPS on several ranks sums in
+/// the order in which messages arrive). Ranks share the factors where few solves use them and that is cheaper, else the
+/// first holds them. The user's options `-PREFIX_...` win.
+///
+/// matrix  whose values may still change, not its structure; must outlive the solver
 /// Collective.
-la::PetscLinearSolver create_gathered_solver(MPI_Comm comm, const std::string& prefix, Reuse reuse);
+la::PetscLinearSolver create_repeatable_solver(Mat matrix, const std::string& prefix, Reuse reuse);
 
 /// Gives a solver that exists already (SNES's own) the same set-up. Collective.
-void make_gathered_solver(KSP solver, const std::string& prefix, Reuse reuse);
+void make_repeatable_solver(KSP solver, Mat matrix, const std::string& prefix, Reuse reuse);
 
 }  // namespace vocalis::fsi

@@ -49,7 +49,7 @@ Newton::Newton(Assembly& assembly, double tolerance, int largest_iterations, bas
   base::check(SNESSetMaxLinearSolveFailures(snes, most_linear_failures));
   KSP linear = nullptr;
   base::check(SNESGetKSP(snes, &linear));
-  make_gathered_solver(linear, "flow_", Reuse::few_solves);
+  make_repeatable_solver(linear, assembly.matrix(), "flow_", Reuse::few_solves);
   base::check(SNESSetFromOptions(snes));
 }
 

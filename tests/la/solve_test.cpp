@@ -73,33 +73,3 @@ TEST_CASE("a solver that runs out of iterations says so and does not throw") {
   CHECK_FALSE(report.converged);
   CHECK_FALSE(report.reason.empty());
 }
-
-TEST_CASE("a direct solver solves, and follows the matrix when it changes") {
-  for (const bool symmetric : {false, true}) {
-    PulledChain pulled;
-    const PetscLinearSolver solver = create_direct_solver(MPI_COMM_WORLD, "test_direct_", symmetric);
-    base::check(KSPSetOperators(solver.get(), pulled.matrix.get(), pulled.matrix.get()));
-    const SolveReport report = solve(solver.get(), pulled.load.get(), pulled.displacement.get());
-    CHECK(report.converged);
-    CHECK(pulled.largest_error() < 1e-12 * pulled.chain.num_points);
-    // Twice the stiffness and twice the load: the same displacement, so an old factor would show.
-    std::vector<double> stiffer = pulled.chain.springs;
-    for (double& value : stiffer) value *= 2;
-    pulled.matrix.assemble(stiffer);
-    base::check(VecScale(pulled.load.get(), 2));
-    CHECK(solve(solver.get(), pulled.load.get(), pulled.displacement.get()).converged);
-    CHECK(pulled.largest_error() < 1e-12 * pulled.chain.num_points);
-  }
-}
-
-TEST_CASE("a singular matrix is reported, not thrown") {
-  const Chain chain;
-  AssembledMatrix matrix(chain.layout, chain.rows, 2, {});
-  matrix.assemble(std::vector<double>(chain.springs.size(), 0.0));
-  const PetscVector load = create_vector(MPI_COMM_WORLD, chain.layout.num_owned());
-  const PetscVector solution = create_vector(MPI_COMM_WORLD, chain.layout.num_owned());
-  base::check(VecSet(load.get(), 1));
-  const PetscLinearSolver solver = create_direct_solver(MPI_COMM_WORLD, "test_singular_", false);
-  base::check(KSPSetOperators(solver.get(), matrix.get(), matrix.get()));
-  CHECK_FALSE(solve(solver.get(), load.get(), solution.get()).converged);
-}

@@ -82,7 +82,7 @@ double pressure_error(Elements elements, Beginning start, double dt) {
 
 /// Solves the step that the assembly has begun by Newton's method. Returns whether that converged. Collective.
 bool solve_step(Assembly& assembly, Vec unknowns, Vec result, Vec change) {
-  const la::PetscLinearSolver solver = create_gathered_solver(MPI_COMM_WORLD, "small_steps_", Reuse::few_solves);
+  const la::PetscLinearSolver solver = create_repeatable_solver(assembly.matrix(), "small_steps_", Reuse::few_solves);
   for (int iteration = 0; iteration < 8; ++iteration) {
     if (assembly.residual(unknowns, result).error < 1e-10) return true;
     assembly.jacobian();
