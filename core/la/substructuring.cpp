@@ -93,7 +93,7 @@ double Substructuring::dense_share() const {
   const double n = static_cast<double>(separator_.size());
   const double here = condensation_ ? condensation_->operations() : 0;
   const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(matrix_));
-  return 2.0 / 3.0 * n * n * n / base::largest(comm, here);
+  return 2.0 / 3.0 * n * n * n / base::sum(comm, here);
 }
 
 bool Substructuring::factorise() {

@@ -19,7 +19,8 @@ class Substructuring {
   /// separator  see `find_separator`. Its matrix must outlive this. Collective.
   Substructuring(Mat matrix, std::vector<PetscInt> separator);
 
-  /// Operations of one factorisation of the dense system, over those of the rank with most to eliminate. Collective.
+  /// Operations of one factorisation of the dense system, which all ranks do alike, over those that they share, which
+  /// are somewhat less than one rank would need for the whole. Collective.
   double dense_share() const;
 
   /// Of the matrix's present values. Returns false, on all ranks, if one of them cannot eliminate what only it has (see
