@@ -9,8 +9,8 @@ namespace vocalis::fsi {
 /// Factors that all ranks hold parts of (`la::Substructuring`), made anew whenever the operator has changed. A matrix
 /// of which some rank cannot eliminate its part is gathered on the first rank and factored there by MUMPS.
 ///
-/// Returns false, and leaves the preconditioner alone, where the dense system between the ranks would take more operations
-/// than all the rest: one rank is then as fast. Collective.
+/// Returns false, and leaves the preconditioner alone, where the dense system between the ranks would take more
+/// operations than all the rest: one rank is then as fast. Collective.
 bool use_shared_factors(PC preconditioner, Mat matrix, const std::string& prefix);
 
 }  // namespace vocalis::fsi
