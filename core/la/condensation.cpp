@@ -29,7 +29,6 @@ Condensation::Condensation(const MatrixEntries& entries, std::span<const int> ke
     : rows_(from_one(entries.rows)),
       columns_(from_one(entries.columns)),
       kept_(from_one(kept)),
-      kept_matrix_(kept.size() * kept.size()),
       kept_load_(kept.size()),
       load_(entries.size) {
   mumps_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
@@ -47,7 +46,6 @@ Condensation::Condensation(const MatrixEntries& entries, std::span<const int> ke
   mumps_.jcn = columns_.data();
   mumps_.size_schur = static_cast<MUMPS_INT>(kept_.size());
   mumps_.listvar_schur = kept_.data();
-  mumps_.schur = kept_matrix_.data();
   mumps_.redrhs = kept_load_.data();
   mumps_.lredrhs = static_cast<MUMPS_INT>(kept_.size());
   mumps_.rhs = load_.data();
@@ -67,6 +65,8 @@ bool Condensation::factorise(std::span<const double> values) {
   assert(values.size() == rows_.size());
   values_.assign(values.begin(), values.end());  // MUMPS may scale them in place
   mumps_.a = values_.data();
+  kept_matrix_.resize(kept_.size() * kept_.size());  // not before it is known to be wanted: it may be large
+  mumps_.schur = kept_matrix_.data();
   MUMPS_INT& percent = mumps_.icntl[spare_memory - 1];
   run(factor);
   while ((mumps_.infog[0] == no_space || mumps_.infog[0] == no_integer_space) && percent < most_percent) {

@@ -52,7 +52,6 @@ Substructuring::Substructuring(Mat matrix, std::vector<PetscInt> separator)
     if (rows[i] >= begin && rows[i] < end) owned_and_block_.emplace_back(static_cast<int>(rows[i] - begin), i);
   }
   load_.resize(rows.size());
-  shared_matrix_.resize(separator_.size() * separator_.size());
   pivots_.resize(separator_.size());
   find_entries();
   if (rows.size() > separator_.size()) condensation_.emplace(entries_, separator_to_block_);
@@ -103,6 +102,7 @@ bool Substructuring::factorise() {
   const Entries values(copy_[0]);
   for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = values[entry_to_value_[i]];
   const std::size_t n = separator_.size();
+  shared_matrix_.resize(n * n);
   bool is_regular = true;
   if (condensation_) {
     is_regular = condensation_->factorise(values_);
