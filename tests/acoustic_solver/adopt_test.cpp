@@ -7,19 +7,13 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
+#include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"
 
 namespace vocalis::acoustic {
 namespace {
 
-AcousticSettings unit_medium() {
-  AcousticSettings settings;
-  settings.speed_of_sound = 1;
-  settings.density = 2;
-  settings.step = 0.03;
-  settings.solver_tolerance = 1e-12;
-  return settings;
-}
+AcousticSettings unit_medium() { return test::unit_medium(0.03); }
 
 mesh::Mesh box(int dimension) {
   return mesh::distribute(MPI_COMM_WORLD, mesh::box(MPI_COMM_WORLD, {2, 0.3, dimension == 3 ? 0.2 : 0.0}, {40, 6, 4}));

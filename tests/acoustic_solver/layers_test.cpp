@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
+#include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"
 
 namespace vocalis::acoustic {
@@ -17,10 +18,7 @@ mesh::Mesh strip(int dimension, int cells, MPI_Comm comm = MPI_COMM_WORLD) {
 }
 
 AcousticSettings unit_medium() {
-  AcousticSettings settings;
-  settings.speed_of_sound = 1;
-  settings.density = 2;
-  settings.step = 0.025;
+  AcousticSettings settings = test::unit_medium(0.025);
   settings.solver_tolerance = 1e-10;
   return settings;
 }

@@ -7,6 +7,7 @@
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
+#include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"
 
 namespace vocalis::acoustic {
@@ -28,18 +29,12 @@ AcousticBoundary viscothermal(const std::string& group) {
 }
 
 AcousticSettings unit_medium(std::vector<AcousticBoundary> boundaries) {
-  AcousticSettings settings;
-  settings.speed_of_sound = 1;
-  settings.density = 2;
-  settings.step = 0.03;
-  settings.solver_tolerance = 1e-12;
+  AcousticSettings settings = test::unit_medium(0.03);
   settings.boundaries = std::move(boundaries);
   return settings;
 }
 
-mesh::Mesh unit_box(MPI_Comm comm, int dimension) {
-  return mesh::distribute(comm, mesh::box(comm, {1, 0.5, dimension == 3 ? 0.25 : 0.0}, {12, 6, 3}));
-}
+mesh::Mesh unit_box(MPI_Comm comm, int dimension) { return test::unit_box(comm, dimension, 12); }
 
 /// A bump of pressure off the middle; walls at rest.
 State bump(const mesh::Mesh& mesh) {
