@@ -59,10 +59,12 @@ void PressureSystem::assemble(const WaveOperator& wave, const Layers& layers, do
   a_ = a;
   b_ = b;
   time_ = time;
-  // A plane block on one rank is its own inverse when factorised: no iterations, worth it for several solves.
-  const bool is_whole = base::size(layout_.comm()) == 1 && !equal_order_;
-  if (rebuild_ || (is_solved_often && is_whole)) prepare_solver(wave);
-  is_exact_ = is_solved_often && is_whole && preconditioner_ == Preconditioner::cholesky;
+  // The factors of a whole plane system are its inverse: no iterations, worth it for several solves.
+  const bool may_be_exact = is_solved_often && dimension_ == 2 && !equal_order_;
+  if (rebuild_ || may_be_exact) prepare_solver(wave);
+  const bool is_alone = base::size(layout_.comm()) == 1;
+  is_exact_ =
+      may_be_exact && preconditioner_ == (is_alone ? Preconditioner::cholesky : Preconditioner::cholesky_of_whole);
   if (is_exact_) rebuild_ = true;
   base::check(KSPSetReusePreconditioner(solver_.get(), rebuild_ ? PETSC_FALSE : PETSC_TRUE));
   if (rebuild_) iterations_when_new_ = -1;
