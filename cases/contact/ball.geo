@@ -1,4 +1,4 @@
-// An elastic disc above a wall in a bath, right half; x = 0 is the mirror. [m]
+// An elastic disc, with or without a core, above a wall in a bath, right half; x = 0 is the mirror. [m]
 //
 //    top _______________
 //        |              |
@@ -17,7 +17,9 @@ DefineConstant[
   h_contact = 0.0008,       // [m] at the lowest point of the disc, and on the wall below it
   h_disc = 0.002,           // [m] elsewhere on the disc
   h_bath = 0.004,           // [m] at the bath's far corners
-  contact_width = 0.004     // [m] of the disc and the wall, from the axis, where h_contact holds
+  contact_width = 0.004,    // [m] of the disc and the wall, from the axis, where h_contact holds
+  core = 0,                 // radius of a core of another material over the disc's; 0: none
+  h_core = 0.0015           // [m] at the lowest point of the core
 ];
 
 middle = gap + radius;
@@ -36,8 +38,24 @@ p_top = newp;     Point(p_top) = {0, height, 0, size * h_bath};
 c_contact = newl; Circle(c_contact) = {p_low, p_centre, p_edge};
 c_low = newl;     Circle(c_low) = {p_edge, p_centre, p_side};
 c_high = newl;    Circle(c_high) = {p_side, p_centre, p_high};
-l_lower = newl;   Line(l_lower) = {p_centre, p_low};
-l_upper = newl;   Line(l_upper) = {p_high, p_centre};
+If (core > 0)
+  p_core_low = newp;  Point(p_core_low) = {0, middle - core * radius, 0, size * h_core};
+  p_core_side = newp; Point(p_core_side) = {core * radius, middle, 0, size * h_disc};
+  p_core_high = newp; Point(p_core_high) = {0, middle + core * radius, 0, size * h_disc};
+  c_core_low = newl;  Circle(c_core_low) = {p_core_low, p_centre, p_core_side};
+  c_core_high = newl; Circle(c_core_high) = {p_core_side, p_centre, p_core_high};
+  l_core_low = newl;  Line(l_core_low) = {p_centre, p_core_low};
+  l_core_high = newl; Line(l_core_high) = {p_core_high, p_centre};
+  l_lower = newl;     Line(l_lower) = {p_core_low, p_low};
+  l_upper = newl;     Line(l_upper) = {p_high, p_core_high};
+  core_axis() = {l_core_low, l_core_high};
+  core_edge() = {-c_core_high, -c_core_low};
+Else
+  l_lower = newl;   Line(l_lower) = {p_centre, p_low};
+  l_upper = newl;   Line(l_upper) = {p_high, p_centre};
+  core_axis() = {};
+  core_edge() = {};
+EndIf
 l_gap = newl;     Line(l_gap) = {p_low, p_foot};
 l_foot = newl;    Line(l_foot) = {p_foot, p_end};
 l_floor = newl;   Line(l_floor) = {p_end, p_right};
@@ -45,14 +63,19 @@ l_side = newl;    Line(l_side) = {p_right, p_corner};
 l_top = newl;     Line(l_top) = {p_corner, p_top};
 l_above = newl;   Line(l_above) = {p_top, p_high};
 
-loop = newll;     Curve Loop(loop) = {c_contact, c_low, c_high, l_upper, l_lower};
+loop = newll;     Curve Loop(loop) = {c_contact, c_low, c_high, l_upper, core_edge(), l_lower};
 s_disc = news;    Plane Surface(s_disc) = {loop};
+If (core > 0)
+  loop = newll;     Curve Loop(loop) = {l_core_low, c_core_low, c_core_high, l_core_high};
+  s_core = news;    Plane Surface(s_core) = {loop};
+  Physical Surface("core") = {s_core};
+EndIf
 loop = newll;     Curve Loop(loop) = {l_gap, l_foot, l_floor, l_side, l_top, l_above, -c_high, -c_low, -c_contact};
 s_bath = news;    Plane Surface(s_bath) = {loop};
 
 Physical Surface("fluid") = {s_bath};
 Physical Surface("disc") = {s_disc};
-Physical Curve("axis") = {l_lower, l_upper, l_gap, l_above};
+Physical Curve("axis") = {l_lower, l_upper, core_axis(), l_gap, l_above};
 Physical Curve("wall") = {l_foot, l_floor};
 Physical Curve("side") = {l_side};
 Physical Curve("top") = {l_top};

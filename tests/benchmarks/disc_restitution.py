@@ -25,16 +25,26 @@ RADIUS = 0.01  # [m] of ball.geo
 
 
 @dataclasses.dataclass
+class Core:
+    """Of a disc with two materials: radius over that of the disc, E and density over those of the rim."""
+
+    radius: float = 0.0
+    modulus: float = 1.0
+    density: float = 1.0
+
+
+@dataclasses.dataclass
 class Disc:
     points: np.ndarray  # (vertices, 2), the lowest at the origin
     slopes: list  # two sparse matrices (cells, vertices): d/dx and d/dy
     area: np.ndarray  # (cells)
     mass: np.ndarray  # (vertices), lumped
     share: np.ndarray  # (vertices), of the boundary's length
+    modulus: np.ndarray  # (cells)
     step: float  # a stable one
 
 
-def half_disc(rings, grading):
+def half_disc(rings, grading, core):
     """Rings of triangles of one size, drawn together at the lowest point by a conformal map of the disc to itself.
 
     Cells at the contact are (1 - grading) / (1 + grading) times as long as those in the middle.
@@ -59,8 +69,11 @@ def half_disc(rings, grading):
     lengths = np.linalg.norm(np.diff(points[rim], axis=0), axis=1)
     np.add.at(share, rim[:-1], lengths / 2)
     np.add.at(share, rim[1:], lengths / 2)
-    mass = np.bincount(cells.ravel(), np.repeat(area / 3, 3), len(points))
-    return Disc(points, slopes, area, mass, share, 1 / np.linalg.norm(gradient, axis=2).max())
+    inside = np.linalg.norm(points[cells].mean(1) - (0, 1), axis=1) < core.radius
+    modulus, density = np.where(inside, core.modulus, 1.0), np.where(inside, core.density, 1.0)
+    mass = np.bincount(cells.ravel(), np.repeat(density * area / 3, 3), len(points))
+    rate = np.sqrt(modulus / density) * np.linalg.norm(gradient, axis=2).max(1)
+    return Disc(points, slopes, area, mass, share, modulus, 1 / rate.max())
 
 
 def stress(f, poisson_ratio, linear):
@@ -78,13 +91,14 @@ def stress(f, poisson_ratio, linear):
     return shear * f + (lame * log - shear) * inverse, energy
 
 
-def bounce(speed, poisson_ratio=0.4, rings=32, gravity=0.0, sticks=False, linear=False, stiffness=4.0, grading=0.6):
+def bounce(speed, poisson_ratio=0.4, rings=32, gravity=0.0, sticks=False, linear=False, stiffness=4.0, grading=0.6,
+           core=Core()):
     """The disc touches at time 0 with this speed. gravity [c^2 / R]; stiffness: of the wall, in that of a cell there.
 
     Restitution of the centre of mass, from the height that it is to reach with gravity; the vibration's part of the
     energy at the start; the error of the balance; the time of contact; the largest half-width of it.
     """
-    disc = half_disc(rings, grading)
+    disc = half_disc(rings, grading, core)
     spring = stiffness * rings * (1 + grading) / (1 - grading) * disc.share
     dt = PART_OF_STABLE_STEP * disc.step / np.sqrt(max(1, stiffness / 2))
     x, v = disc.points.copy(), np.zeros_like(disc.points)
@@ -97,11 +111,11 @@ def bounce(speed, poisson_ratio=0.4, rings=32, gravity=0.0, sticks=False, linear
     def forces(x):
         nonlocal width
         p, energy = stress(np.array([disc.slopes[k] @ x for k in range(2)]).transpose(2, 0, 1), poisson_ratio, linear)
-        p *= disc.area
+        p *= disc.area * disc.modulus
         force = -np.stack([disc.slopes[0].T @ p[i, 0] + disc.slopes[1].T @ p[i, 1] for i in range(2)], 1)
         depth = np.maximum(-x[:, 1], 0) * (disc.share > 0)
         force[:, 1] += spring * depth - gravity * disc.mass
-        stored = disc.area @ energy + 0.5 * spring @ depth**2
+        stored = (disc.area * disc.modulus) @ energy + 0.5 * spring @ depth**2
         touches = depth > 0
         if sticks:
             foot[touches & np.isnan(foot)] = x[touches & np.isnan(foot), 0]
@@ -164,15 +178,26 @@ def rebound(history):
     }
 
 
+def core_of(case):
+    """Material of the rim, or of the whole disc, and its core."""
+    solids = {region["name"]: region for region in case["region"] if region["kind"] == "solid"}
+    core, rim = solids.get("core"), solids["disc"]
+    if core is None:
+        return rim, Core()
+    radius = case["mesh"]["parameters"]["core"]
+    return rim, Core(radius, *(core[key] / rim[key] for key in ("young_modulus", "density")))
+
+
 def beside_reference(run, rings):
-    """Of a run of cases/contact/ball.toml: `rebound` with its speed [c], and the `bounce` of the reference."""
+    """Of a run of cases/contact/ball.toml or ball_core.toml: `rebound` with its speed [c], and the reference's `bounce`."""
     history, case = read(run)
-    disc = next(region for region in case["region"] if region["kind"] == "solid")
-    square = disc["young_modulus"] / disc["density"]
+    rim, core = core_of(case)
+    square = rim["young_modulus"] / rim["density"]
+    mass = 0.5 * np.pi * RADIUS**2 * rim["density"] * (1 + (core.density - 1) * core.radius**2)
     fall, found = rebound(history)
-    found["speed"] = np.sqrt(2 * fall / (0.5 * np.pi * RADIUS**2 * disc["density"]) / square)
+    found["speed"] = np.sqrt(2 * fall / mass / square)
     gravity = -case["flow"]["gravity"][1] * RADIUS / square
-    return found, bounce(found["speed"], disc["poisson_ratio"], rings, gravity, sticks=True)
+    return found, bounce(found["speed"], rim["poisson_ratio"], rings, gravity, sticks=True, core=core)
 
 
 def compare(runs, rings):
