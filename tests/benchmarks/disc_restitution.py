@@ -3,11 +3,13 @@
     /usr/bin/python3 tests/benchmarks/disc_restitution.py
     ./vocalis study cases/contact/ball_speed_study.toml
     /usr/bin/python3 tests/benchmarks/disc_restitution.py runs/studies/ball_speed/points/*
+    /usr/bin/python3 tests/benchmarks/disc_restitution.py --core 0.7 100 4     the disc of ball_core.toml
 
 The reference: plane strain, neo-Hookean as in docs/theory.md or linear, half of the disc. P1 on triangles, mass lumped,
 central differences: nothing is dissipated, and what the rebound lacks is vibration. The wall is springs under the
 vertices, whose stiffness goes with the cells'; with friction they also hold a vertex where it touched first. It shares
-no code with Vocalis. Lengths are in radii R, speeds in c = sqrt(E / rho), times in R / c. Needs python3-scipy.
+no code with Vocalis. Lengths are in radii R, speeds in c = sqrt(E / rho) (of the rim, if there is a core), times in
+R / c. Needs python3-scipy.
 """
 
 import argparse
@@ -189,7 +191,7 @@ def core_of(case):
 
 
 def beside_reference(run, rings):
-    """Of a run of cases/contact/ball.toml or ball_core.toml: `rebound` with its speed [c], and the reference's `bounce`."""
+    """Of a run of ball.toml or ball_core.toml: `rebound` with its speed [c] of the rim, and the reference's `bounce`."""
     history, case = read(run)
     rim, core = core_of(case)
     square = rim["young_modulus"] / rim["density"]
@@ -210,12 +212,12 @@ def compare(runs, rings):
               f"| {found['lost']:.3f} |")
 
 
-def table(rings):
+def table(rings, core):
     print("| v / c | neo-Hookean, slides | sticks | linear, slides | time of contact [R / c] | half-width [R] |")
     print("| ---: | ---: | ---: | ---: | ---: | ---: |")
     for speed in (0.1, 0.05, 0.02, 0.01, 0.005, 0.0025):
-        slides, sticks = bounce(speed, rings=rings), bounce(speed, rings=rings, sticks=True)
-        linear = bounce(speed, rings=rings, linear=True)
+        slides, sticks, linear = (bounce(speed, rings=rings, core=core, **kind)
+                                  for kind in ({}, {"sticks": True}, {"linear": True}))
         print(f"| {speed} | {slides['restitution']:.4f} | {sticks['restitution']:.4f} | {linear['restitution']:.4f} "
               f"| {slides['contact']:.2f} | {slides['width']:.3f} |")
 
@@ -244,8 +246,10 @@ def draw(file, runs, rings):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("runs", nargs="*", type=pathlib.Path, help="folders of runs of cases/contact/ball.toml")
+    parser.add_argument("runs", nargs="*", type=pathlib.Path, help="folders of runs of ball.toml, ball_core.toml")
     parser.add_argument("--rings", type=int, default=32, help="of cells in the disc of the reference")
+    parser.add_argument("--core", nargs=3, type=float, default=(0, 1, 1), metavar=("R", "E", "DENSITY"),
+                        help="of the reference alone: radius, E and density over those of the disc")
     parser.add_argument("--chart", type=pathlib.Path, help="a picture instead of a table")
     words = parser.parse_args()
     if words.chart:
@@ -253,7 +257,7 @@ def main():
     elif words.runs:
         compare(words.runs, words.rings)
     else:
-        table(words.rings)
+        table(words.rings, Core(*words.core))
 
 
 if __name__ == "__main__":
