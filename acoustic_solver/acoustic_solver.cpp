@@ -40,15 +40,15 @@ void check(const AcousticSettings& settings) {
     throw base::UserError("a perfectly matched layer keeps its fields in P0, as velocities are there",
                           "velocity_elements = \"P1\"", "write velocity_elements = \"P0\", or take a sponge");
   }
-  if (settings.theta < 0.5 || settings.theta > 1) {
-    throw base::UserError(fmt::format("theta of acoustic solver '{}' lies in [0.5, 1]", settings.name),
-                          fmt::format("{}", settings.theta), "0.5 keeps the energy, more damps it");
+  if (settings.spectral_radius < 0 || settings.spectral_radius > 1) {
+    throw base::UserError(fmt::format("spectral_radius of acoustic solver '{}' lies in [0, 1]", settings.name),
+                          fmt::format("{}", settings.spectral_radius), "1 keeps the energy, less damps what is fast");
   }
-  if (settings.theta != 0.5 && settings.integrator == Integrator::leap_frog) {
+  if (settings.spectral_radius < 1 && settings.integrator == Integrator::leap_frog) {
     throw base::UserError(
-        fmt::format("theta of acoustic solver '{}' belongs to the implicit integrator", settings.name),
-        fmt::format("{} with integrator = \"explicit\"", settings.theta),
-        "leave theta out, or set integrator = \"implicit\"");
+        fmt::format("spectral_radius of acoustic solver '{}' belongs to the implicit integrator", settings.name),
+        fmt::format("{} with integrator = \"explicit\"", settings.spectral_radius),
+        "leave spectral_radius out, or set integrator = \"implicit\"");
   }
   if (!settings.layers.empty() && settings.integrator == Integrator::leap_frog) {
     throw base::UserError(
@@ -92,8 +92,11 @@ AcousticSolver& AcousticSolver::operator=(AcousticSolver&&) noexcept = default;
 void AcousticSolver::set_state(State state) {
   assert(state.p.size() == state_.p.size() && state.psi.size() == state_.psi.size());
   state_ = std::move(state);
-  discretisation_->layers.prepare(state_);
-  discretisation_->walls.prepare(state_);
+  for (Unknowns* unknowns : {static_cast<Unknowns*>(&state_), &state_.rates}) {
+    if (unknowns == &state_.rates && !state_.has_rates) continue;
+    discretisation_->layers.prepare(*unknowns);
+    discretisation_->walls.prepare(*unknowns);
+  }
   drop_caches();
 }
 
@@ -202,7 +205,6 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
       return report;
     }
   }
-  const double theta = is_explicit ? 0.5 : here.implicit().load_at();
   SubStep step;
   step.dt = dt / count;
   step.moves = moves;
@@ -212,18 +214,18 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
   for (int s = 0; s < count; ++s) {
     step.begin = start + s * step.dt;
     if (step.is_shared) step.slot = s;
-    const double at_theta = (s + theta) / count;
+    const double stage = is_explicit ? 0.5 : here.implicit().stage_at(state_), at_stage = (s + stage) / count;
     if (moves) step.place = [&](double part) { place_at((s + part) / count); };
     if (source.begin) {
       step.load.assign(here.mesh->num_vertices(), 0.0);
       step.load_change.assign(here.mesh->num_vertices(), 0.0);
       for (std::int32_t v = 0; v < here.space.dofs.num_owned; ++v) {
-        step.load[v] = (1 - at_theta) * source.begin->values[v] + at_theta * source.end->values[v];
+        step.load[v] = (1 - at_stage) * source.begin->values[v] + at_stage * source.end->values[v];
         step.load_change[v] = (source.end->values[v] - source.begin->values[v]) / count;
       }
     }
-    if (source.flux) step.flux = (1 - theta) * source.flux(step.begin) + theta * source.flux(step.begin + step.dt);
-    if (moves && !is_explicit) step.place(0.5);
+    if (source.flux) step.flux = (1 - stage) * source.flux(step.begin) + stage * source.flux(step.begin + step.dt);
+    if (moves && !is_explicit) step.place(stage);
     const bool done = is_explicit ? here.leap_frog.advance(step, parts, state_, report)
                                   : here.implicit().advance(step, state_, report);
     if (!done) return report;

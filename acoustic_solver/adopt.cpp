@@ -89,6 +89,11 @@ Adoption AcousticSolver::adopt(const mesh::Mesh& parent, const transfer::Strippe
   carried.time = state_.time;
   carried.p = carry_and_fill(state_.p);
   carried.psi = carry_and_fill(state_.psi);
+  carried.has_rates = state_.has_rates;
+  if (state_.has_rates) {
+    carried.rates.p = carry_and_fill(state_.rates.p);
+    carried.rates.psi = carry_and_fill(state_.rates.psi);
+  }
   const fem::Field names = carry(find_pockets(before.mesh));
   const fem::Field bound = carry(bound_vertices(before.mesh, old.wave, old.layers));
   PocketsBefore pockets{{names.values.begin(), names.values.end()}, {bound.values.begin(), bound.values.end()}};
@@ -97,21 +102,24 @@ Adoption AcousticSolver::adopt(const mesh::Mesh& parent, const transfer::Strippe
   }
   join_pockets(pockets, next->wave, next->space, carried.psi);
   for (const auto& pressure : state_.earlier) carried.earlier.push_back(carry_and_fill(pressure));
-  for (const std::int32_t v : next->wave.released()) carried.p[v] = 0;
-  next->space.halo.copy_to_ghosts(carried.p);
-  if (old.layers.exist()) {
-    next->layers.take_flux(carry_flux(old.layers.flux_of_cells(state_), before, after), carried);
-    next->layers.prepare(carried);
-    if (old.layers.has_integral()) carried.layer_integral = carry_and_fill(state_.layer_integral);
-  }
-  if (old.walls.exist()) {
+  const auto carry_boundaries = [&](const Unknowns& from, Unknowns& to) {
+    for (const std::int32_t v : next->wave.released()) to.p[v] = 0;
+    next->space.halo.copy_to_ghosts(to.p);
+    if (old.layers.exist()) {
+      next->layers.take_flux(carry_flux(old.layers.flux_of_cells(from), before, after), to);
+      next->layers.prepare(to);
+      if (old.layers.has_integral()) to.layer_integral = carry_and_fill(from.layer_integral);
+    }
+    if (!old.walls.exist()) return;
     const int numbers = old.walls.numbers_a_vertex();
-    fem::Field motion = carry(old.walls.motion_of_vertices(state_), numbers);
+    fem::Field motion = carry(old.walls.motion_of_vertices(from), numbers);
     for (std::int32_t v = 0; v < after.mesh.num_vertices(); ++v) {
       if (!is_kept[v]) std::fill_n(motion.at(v), numbers, 0.0);
     }
-    next->walls.take_motion(motion.values, carried);
-  }
+    next->walls.take_motion(motion.values, to);
+  };
+  carry_boundaries(state_, carried);
+  if (state_.has_rates) carry_boundaries(state_.rates, carried.rates);
   discretisation_ = std::move(next);
   state_ = std::move(carried);
   adoption.energy_after = energy();

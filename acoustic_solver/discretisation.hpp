@@ -21,11 +21,11 @@ struct AcousticSolver::Discretisation {
         leap_frog(on, space, wave, given.density) {}
 
   ImplicitStep& implicit() {
-    if (!theta_scheme) theta_scheme = std::make_unique<ImplicitStep>(*mesh, space, wave, layers, walls, settings);
-    return *theta_scheme;
+    if (!implicit_step) implicit_step = std::make_unique<ImplicitStep>(*mesh, space, wave, layers, walls, settings);
+    return *implicit_step;
   }
   void drop() {
-    if (theta_scheme) theta_scheme->drop();
+    if (implicit_step) implicit_step->drop();
     leap_frog.drop();
     bound_standing_still = 0;
   }
@@ -42,9 +42,9 @@ struct AcousticSolver::Discretisation {
   Layers layers;
   YieldingWalls walls;
   ExplicitStep leap_frog;
-  std::unique_ptr<ImplicitStep> theta_scheme;  ///< once it is needed
-  bool is_shared = false;                      ///< by sounds that take the same sub-steps one after another
-  double bound_standing_still = 0;             ///< [s]; 0: not known
+  std::unique_ptr<ImplicitStep> implicit_step;  ///< once it is needed
+  bool is_shared = false;                       ///< by sounds that take the same sub-steps one after another
+  double bound_standing_still = 0;              ///< [s]; 0: not known
 };
 
 }  // namespace vocalis::acoustic

@@ -29,6 +29,8 @@ bool ExplicitStep::advance(const SubStep& step, int parts, State& state, Advance
   }
   // `earlier` serves the implicit integrator, whose steps are other ones.
   state.earlier.clear();
+  state.rates = {};
+  state.has_rates = false;
   return true;
 }
 

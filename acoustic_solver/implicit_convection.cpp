@@ -7,15 +7,15 @@
 namespace vocalis::acoustic {
 
 ImplicitConvection::ImplicitConvection(const fem::Space& space, const WaveOperator& wave, const YieldingWalls& walls,
-                                       double density, double beta, const State& state)
+                                       double density, double beta, const Unknowns& beginning)
     : space_(&space),
       wave_(&wave),
       walls_(&walls),
-      state_(&state),
+      beginning_(&beginning),
       density_(density),
       beta_(beta),
-      base_(state.p),
-      held_(state.p.size(), 0.0) {
+      base_(beginning.p),
+      held_(beginning.p.size(), 0.0) {
   for (const std::int32_t v : wave.inlets()) base_[v] = 0;
 }
 
@@ -26,7 +26,7 @@ void ImplicitConvection::middle(const std::vector<double>& increment, std::vecto
   const double b = beta_ / density_;
   for (std::size_t v = 0; v < pressure.size(); ++v) {
     pressure[v] += increment[v];
-    potential[v] = state_->psi[v] + b * pressure[v] + beta_ * held_[v];
+    potential[v] = beginning_->psi[v] + b * pressure[v] + beta_ * held_[v];
   }
 }
 
@@ -35,8 +35,8 @@ void ImplicitConvection::update(const std::vector<double>& increment) {
   middle(increment, convected_, potential);
   const bool is_first = rates_.empty();
   before_ = rates_;
-  wave_->potential_convection(potential, convected_, rates_, walls_->velocities(beta_, convected_, *state_));
-  // Of ψ_θ and the new r, p_θ / ρ = (ψ_θ - ψ) / (θ dt) - r. Where the mesh alone moves, v dt / h is small, and the p_θ
+  wave_->potential_convection(potential, convected_, rates_, walls_->velocities(beta_, convected_, *beginning_));
+  // Of ψ_θ and the new r, p_θ / ρ = (ψ_θ - ψ*) / (θ dt) - r. Where the mesh alone moves, v dt / h is small, and the p_θ
   // that ψ_θ was found with serves as well.
   if (wave_->flows() && !is_first) {
     for (std::size_t v = 0; v < rates_.size(); ++v) convected_[v] += density_ * (held_[v] - rates_[v]);
@@ -57,12 +57,13 @@ bool ImplicitConvection::has_settled(double tolerance) const {
   return is_small_change(space_->mesh->comm, change, size, tolerance);
 }
 
-void ImplicitConvection::finish(const std::vector<double>& increment, double dt, double theta, State& state) const {
+void ImplicitConvection::finish(const std::vector<double>& increment, Unknowns& stage) const {
   for (std::size_t v = 0; v < base_.size(); ++v) {
-    state.psi[v] += dt * ((base_[v] + increment[v]) / density_ + held_[v]);
-    state.p[v] += increment[v] / theta;
+    const double pressure = base_[v] + increment[v];
+    stage.psi[v] += beta_ * (pressure / density_ + held_[v]);
+    stage.p[v] = pressure;
   }
-  for (const std::int32_t v : wave_->inlets()) state.p[v] -= (state.p[v] + density_ * rates_[v]) / theta;
+  for (const std::int32_t v : wave_->inlets()) stage.p[v] = -density_ * rates_[v];
 }
 
 void ImplicitConvection::add_terms(std::vector<double>& right_hand_side) const {
@@ -77,7 +78,7 @@ void ImplicitConvection::add_terms(std::vector<double>& right_hand_side) const {
   space_->halo.add_to_owners(terms);
   if (wave_->has_inlets()) {
     std::vector<double> change(terms.size(), 0.0);
-    for (const std::int32_t v : wave_->inlets()) change[v] = (state_->p[v] + density_ * rates_[v]) / beta_;
+    for (const std::int32_t v : wave_->inlets()) change[v] = (beginning_->p[v] + density_ * rates_[v]) / beta_;
     const std::vector<double> inertia = wave_->momentum(change);
     for (std::size_t v = 0; v < terms.size(); ++v) terms[v] += inertia[v];
   }

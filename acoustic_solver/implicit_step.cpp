@@ -45,8 +45,10 @@ ImplicitStep::ImplicitStep(const mesh::Mesh& mesh, const fem::Space& space, cons
       walls_(&walls),
       settings_(settings),
       density_(settings.density),
-      theta_(settings.theta),
-      tolerance_(settings.solver_tolerance) {}
+      tolerance_(settings.solver_tolerance),
+      scheme_(settings.spectral_radius),
+      start_(GeneralisedAlpha::start()),
+      keeps_rates_(settings.spectral_radius < 1) {}
 
 bool ImplicitStep::is_small(const std::vector<double>& difference, const std::vector<double>& values,
                             double part) const {
@@ -58,8 +60,8 @@ bool ImplicitStep::is_small(const std::vector<double>& difference, const std::ve
   return is_small_change(mesh_->comm, change, size, part);
 }
 
-PressureSystem& ImplicitStep::system_for(const SubStep& step) {
-  const double a = 1 / (theta_ * step.dt), b = theta_ * step.dt / density_;
+PressureSystem& ImplicitStep::system_for(const SubStep& step, double beta) {
+  const double a = 1 / beta, b = beta / density_;
   while (static_cast<int>(systems_.size()) <= step.slot) {
     systems_.push_back(std::make_unique<PressureSystem>(*mesh_, *space_, wave_->released(), settings_));
   }
@@ -102,24 +104,26 @@ bool ImplicitStep::solve_step(const SubStep& step, PressureSystem& system, const
 }
 
 bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& report) {
-  // Unknown: δ = p_θ - p at the θ-point, where ψ_θ = ψ + θ dt (p_θ / ρ + v·∇ψ_θ). With it the mass of p drops out:
-  //   (mass / (θ dt) + admittance + b stiffness) δ = load - admittance p - stiffness (ψ + b p) + terms with v.
-  const double beta = theta_ * step.dt, b = beta / density_;
-  PressureSystem& system = system_for(step);
+  // Unknown: δ = p_θ - p* at the stage, where ψ_θ = ψ* + θ dt (p_θ / ρ + v·∇ψ_θ). With it the mass of p* drops out:
+  //   (mass / (θ dt) + admittance + b stiffness) δ = load - admittance p* - stiffness (ψ* + b p*) + terms with v.
+  const GeneralisedAlpha& alpha = scheme(state);
+  const double beta = alpha.part() * step.dt, b = beta / density_;
+  PressureSystem& system = system_for(step, beta);
   const std::size_t num_vertices = state.p.size();
-  ImplicitConvection convection(*space_, *wave_, *walls_, density_, beta, state);
+  Unknowns stage = alpha.shifted(state, step.dt);
+  ImplicitConvection convection(*space_, *wave_, *walls_, density_, beta, stage);
   std::vector<double> increment = extrapolated_increment(state);
-  for (double& value : increment) value *= theta_;
+  for (std::size_t v = 0; v < num_vertices; ++v) increment[v] = alpha.at() * increment[v] + state.p[v] - stage.p[v];
   for (const std::int32_t v : wave_->inlets()) increment[v] = 0;
 
   const std::vector<double>& pressure = convection.base();
   std::vector<double> fixed(num_vertices, 0.0), potential(num_vertices);
-  for (std::size_t v = 0; v < num_vertices; ++v) potential[v] = state.psi[v] + b * pressure[v];
+  for (std::size_t v = 0; v < num_vertices; ++v) potential[v] = stage.psi[v] + b * pressure[v];
   wave_->add_flux(step.flux, fixed);
   wave_->add_admittance(-1, pressure, fixed);
   wave_->add_stiffness(-1, potential, fixed);
-  layers_->add_forces(beta, pressure, potential, state, fixed);
-  walls_->add_forces(beta, pressure, state, fixed);
+  layers_->add_forces(beta, pressure, potential, stage, fixed);
+  walls_->add_forces(beta, pressure, stage, fixed);
   space_->halo.add_to_owners(fixed);
   for (std::size_t v = 0; v < step.load.size(); ++v) fixed[v] += step.load[v];
   if (!solve_step(step, system, fixed, convection, increment, report)) return false;
@@ -127,13 +131,14 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
   if (layers_->exist() || walls_->exist()) {
     std::vector<double> middle_pressure;
     convection.middle(increment, middle_pressure, potential);
-    layers_->advance(step.dt, theta_, middle_pressure, potential, state);
-    walls_->advance(step.dt, theta_, middle_pressure, state);
+    layers_->advance(beta, middle_pressure, potential, stage);
+    walls_->advance(beta, middle_pressure, stage);
   }
   auto& earlier = state.earlier;
   if (earlier.size() == kEarlierPressures) earlier.pop_back();
   earlier.insert(earlier.begin(), state.p);
-  convection.finish(increment, step.dt, theta_, state);
+  convection.finish(increment, stage);
+  alpha.finish(stage, step.dt, keeps_rates_, state);
   return true;
 }
 

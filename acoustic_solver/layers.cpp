@@ -80,17 +80,17 @@ void Layers::measure_cell(Cell& cell) const {
   for (int i = 0; i <= D; ++i) std::copy(geometry.gradient[i].begin(), geometry.gradient[i].end(), cell.gradients[i]);
 }
 
-void Layers::prepare(State& state) const {
+void Layers::prepare(Unknowns& unknowns) const {
   const std::size_t numbers = cells_.size() * mesh_->dimension;
-  if (state.layer_flux.size() != numbers) state.layer_flux.assign(numbers, 0.0);
+  if (unknowns.layer_flux.size() != numbers) unknowns.layer_flux.assign(numbers, 0.0);
   const std::size_t vertices = needs_integral_ ? mesh_->num_vertices() : 0;
-  if (state.layer_integral.size() != vertices) state.layer_integral.assign(vertices, 0.0);
+  if (unknowns.layer_integral.size() != vertices) unknowns.layer_integral.assign(vertices, 0.0);
 }
 
-std::vector<double> Layers::flux_of_cells(const State& state) const {
+std::vector<double> Layers::flux_of_cells(const Unknowns& unknowns) const {
   const int d = mesh_->dimension;
   std::vector<double> of_cells(static_cast<std::size_t>(mesh_->num_cells()) * d, 0.0);
-  const double* flux = state.layer_flux.data();
+  const double* flux = unknowns.layer_flux.data();
   for (const Cell& cell : cells_) {
     std::copy_n(flux, d, of_cells.begin() + static_cast<std::ptrdiff_t>(cell.cell) * d);
     flux += d;
@@ -98,12 +98,12 @@ std::vector<double> Layers::flux_of_cells(const State& state) const {
   return of_cells;
 }
 
-void Layers::take_flux(std::span<const double> of_cells, State& state) const {
+void Layers::take_flux(std::span<const double> of_cells, Unknowns& unknowns) const {
   const int d = mesh_->dimension;
-  state.layer_flux.clear();
+  unknowns.layer_flux.clear();
   for (const Cell& cell : cells_) {
     const auto flux = of_cells.begin() + static_cast<std::ptrdiff_t>(cell.cell) * d;
-    state.layer_flux.insert(state.layer_flux.end(), flux, flux + d);
+    unknowns.layer_flux.insert(unknowns.layer_flux.end(), flux, flux + d);
   }
 }
 
@@ -173,17 +173,18 @@ std::array<double, 3> Layers::flux(const Cell& cell, double beta, const double* 
   return result;
 }
 
-std::vector<double> Layers::integral_at(double beta, std::span<const double> potential, const State& state) const {
-  std::vector<double> integral = state.layer_integral;
+std::vector<double> Layers::integral_at(double beta, std::span<const double> potential,
+                                        const Unknowns& beginning) const {
+  std::vector<double> integral = beginning.layer_integral;
   for (std::size_t v = 0; v < integral.size(); ++v) integral[v] += beta * potential[v];
   return integral;
 }
 
 void Layers::add_forces(double beta, std::span<const double> pressure, std::span<const double> potential,
-                        const State& state, std::span<double> sums) const {
+                        const Unknowns& beginning, std::span<double> sums) const {
   const int d = mesh_->dimension;
-  const std::vector<double> integral = integral_at(beta, potential, state);
-  const double* before = state.layer_flux.data();
+  const std::vector<double> integral = integral_at(beta, potential, beginning);
+  const double* before = beginning.layer_flux.data();
   for (const Cell& cell : cells_) {
     const auto vertices = mesh_->vertices_of(cell.cell);
     double damped = 0;
@@ -209,23 +210,22 @@ void Layers::add_forces(double beta, std::span<const double> pressure, std::span
   }
 }
 
-void Layers::advance(double dt, double theta, std::span<const double> pressure, std::span<const double> potential,
-                     State& state) const {
-  const double beta = theta * dt;
-  const std::vector<double> integral = integral_at(beta, potential, state);
-  double* flux_of_cell = state.layer_flux.data();
+void Layers::advance(double beta, std::span<const double> pressure, std::span<const double> potential,
+                     Unknowns& unknowns) const {
+  const std::vector<double> integral = integral_at(beta, potential, unknowns);
+  double* flux_of_cell = unknowns.layer_flux.data();
   for (const Cell& cell : cells_) {
     Slopes at;
     at.pressure = slope(cell, pressure);
     at.potential = slope(cell, potential);
     if (needs_integral_) at.integral = slope(cell, integral);
-    const auto before = slope(cell, state.p);
+    const auto before = slope(cell, unknowns.p);
     for (int k = 0; k < mesh_->dimension; ++k) at.rate[k] = (at.pressure[k] - before[k]) / beta;
     const auto middle = flux(cell, beta, flux_of_cell, at);
-    for (int k = 0; k < mesh_->dimension; ++k) flux_of_cell[k] += (middle[k] - flux_of_cell[k]) / theta;
+    std::copy_n(middle.begin(), mesh_->dimension, flux_of_cell);
     flux_of_cell += mesh_->dimension;
   }
-  for (std::size_t v = 0; v < state.layer_integral.size(); ++v) state.layer_integral[v] += dt * potential[v];
+  unknowns.layer_integral = integral;
 }
 
 }  // namespace vocalis::acoustic

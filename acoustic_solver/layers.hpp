@@ -40,12 +40,12 @@ class Layers {
   bool has_integral() const { return needs_integral_; }
 
   /// Gives φ and w their sizes, and 0 where they have another one.
-  void prepare(State& state) const;
+  void prepare(Unknowns& unknowns) const;
 
   /// φ of each of this rank's cells, (cells, dimension), 0 outside of the layers; and back. For cells that get other
   /// numbers.
-  std::vector<double> flux_of_cells(const State& state) const;
-  void take_flux(std::span<const double> of_cells, State& state) const;
+  std::vector<double> flux_of_cells(const Unknowns& unknowns) const;
+  void take_flux(std::span<const double> of_cells, Unknowns& unknowns) const;
 
   /// Whether each of this rank's cells is damped.
   std::vector<std::int32_t> damped_cells() const;
@@ -53,20 +53,19 @@ class Layers {
   /// Whether no vertex of a layer's cell has a velocity, on any rank. Collective.
   bool stand_still(std::span<const double> velocity) const;
 
-  /// What the layers add to (1 / beta) mass + (beta / ρ) stiffness, once φ, w and ψ at the θ-point are eliminated:
+  /// What the layers add to (1 / beta) mass + (beta / ρ) stiffness, once φ, w and ψ at the stage are eliminated:
   /// 1 + a beta + b beta² + g beta³ times the mean mass, and 1 + (beta A_i + beta² B_i) / (1 + beta s_i) > 0 times the
-  /// stiffness and the varying mass along axis i. beta = θ dt [s]; values (cells, n, n).
+  /// stiffness and the varying mass along axis i. beta = θ dt [s], see GeneralisedAlpha; values (cells, n, n).
   void add_system_values(double beta, std::vector<double>& values) const;
 
-  /// Adds -(1 / (ρ c²)) (a p + b ρ ψ + g ρ w, q) - (φ, ∇q) at the θ-point, where `pressure` and `potential` are given
-  /// with ghosts and φ and w follow from their values in `state`, those at the beginning of the step.
-  void add_forces(double beta, std::span<const double> pressure, std::span<const double> potential, const State& state,
-                  std::span<double> sums) const;
+  /// Adds -(1 / (ρ c²)) (a p + b ρ ψ + g ρ w, q) - (φ, ∇q) at the stage, where `pressure` and `potential` are given
+  /// with ghosts and φ and w follow from their values at the beginning.
+  void add_forces(double beta, std::span<const double> pressure, std::span<const double> potential,
+                  const Unknowns& beginning, std::span<double> sums) const;
 
-  /// Moves φ and w of the state, whose p is still that of the beginning, on by a step of the θ-scheme with p and ψ at
-  /// the θ-point.
-  void advance(double dt, double theta, std::span<const double> pressure, std::span<const double> potential,
-               State& state) const;
+  /// Moves φ and w of the unknowns, whose p is still that of the beginning, on to the stage, where p and ψ are given.
+  void advance(double beta, std::span<const double> pressure, std::span<const double> potential,
+               Unknowns& unknowns) const;
 
  private:
   struct Cell {
@@ -82,14 +81,14 @@ class Layers {
   };
   template <int D>
   void measure_cell(Cell& cell) const;
-  /// Gradients in a cell at the θ-point; that of ṗ is 0 where it is not set.
+  /// Gradients in a cell at the stage; that of ṗ is 0 where it is not set.
   struct Slopes {
     std::array<double, 3> pressure = {}, rate = {}, potential = {}, integral = {};
   };
   std::array<double, 3> slope(const Cell& cell, std::span<const double> values) const;
-  /// φ at the θ-point.
+  /// φ at the stage.
   std::array<double, 3> flux(const Cell& cell, double beta, const double* before, const Slopes& at) const;
-  std::vector<double> integral_at(double beta, std::span<const double> potential, const State& state) const;
+  std::vector<double> integral_at(double beta, std::span<const double> potential, const Unknowns& beginning) const;
 
   const mesh::Mesh* mesh_;
   double inverse_bulk_modulus_, density_;

@@ -8,7 +8,7 @@ namespace vocalis::acoustic {
 
 enum class Integrator {
   automatic,  ///< the cheaper one, by an estimate
-  implicit,   ///< θ-scheme: a linear system a step, of any length
+  implicit,   ///< generalised-α: a linear system a step, of any length
   leap_frog   ///< explicit: as many sub-steps as stability asks for
 };
 
@@ -106,7 +106,7 @@ struct AcousticSettings {
   double wall_admittance = 0;   ///< µ [-] of every boundary that is not named; 0: rigid
   double step = 0;              ///< largest sub-step [s], > 0
   Integrator integrator = Integrator::implicit;
-  double theta = 0.5;              ///< ½: Crank–Nicolson, no dissipation
+  double spectral_radius = 1;      ///< r of `GeneralisedAlpha`: 1 loses no energy
   double solver_tolerance = 1e-8;  ///< relative residual of a step's change of pressure
   VelocityElements velocity_elements = VelocityElements::p0;
   double subscale_constant = 0.02;  ///< C [-] of the subscales' time τ = C h / c

@@ -6,15 +6,20 @@
 
 namespace vocalis::acoustic {
 
-/// All that a later step depends on: a checkpoint of the acoustics is this. One number a local vertex, ghosts current,
-/// but for what says otherwise.
-struct State {
+/// What a step moves on. One number a local vertex, ghosts current, but for what says otherwise.
+struct Unknowns {
+  std::vector<double> p;               ///< acoustic pressure [Pa]
+  std::vector<double> psi;             ///< velocity potential [m^2/s], u = -∇ψ
+  std::vector<double> layer_flux;      ///< φ of absorbing layers, (owned layer cells, dimension) [m/s]
+  std::vector<double> layer_integral;  ///< w = ∫ψ dt [m^2], where a layer in space has corners; or empty
+  std::vector<double> wall_motion;     ///< of walls that yield, as `YieldingWalls` lays it out [m/s, m]
+};
+
+/// All that a later step depends on: a checkpoint of the acoustics is this.
+struct State : Unknowns {
   double time = 0;                           ///< [s]
-  std::vector<double> p;                     ///< acoustic pressure [Pa]
-  std::vector<double> psi;                   ///< velocity potential [m^2/s], u = -∇ψ
-  std::vector<double> layer_flux;            ///< φ of absorbing layers, (owned layer cells, dimension) [m/s]
-  std::vector<double> layer_integral;        ///< w = ∫ψ dt [m^2], where a layer in space has corners; or empty
-  std::vector<double> wall_motion;           ///< of walls that yield, as `YieldingWalls` lays it out [m/s, m]
+  bool has_rates = false;                    ///< on all ranks alike; else not known, or not needed
+  Unknowns rates;                            ///< of all unknowns at fixed vertices [1/s]
   std::vector<std::vector<double>> earlier;  ///< p one, two and three sub-steps ago: for the starting guess alone
 };
 

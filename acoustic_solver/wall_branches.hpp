@@ -16,7 +16,7 @@ struct WallBranch {
   double resistance = 0;  ///< b [Pa s/m]
   double stiffness = 0;   ///< k [Pa/m]
 
-  /// Of ẇ to a change of p at the θ-point, where beta = θ dt: 1 / (m / beta + b + k beta) [m/(s Pa)].
+  /// Of ẇ to a change of p at the stage, where beta = θ dt: 1 / (m / beta + b + k beta) [m/(s Pa)].
   double step_admittance(double beta) const { return 1 / (mass / beta + resistance + stiffness * beta); }
 };
 

@@ -34,8 +34,8 @@ void YieldingWalls::for_each_facet(const Function& function) const {
   }
 }
 
-void YieldingWalls::prepare(State& state) const {
-  if (state.wall_motion.size() != num_numbers_) state.wall_motion.assign(num_numbers_, 0.0);
+void YieldingWalls::prepare(Unknowns& unknowns) const {
+  if (unknowns.wall_motion.size() != num_numbers_) unknowns.wall_motion.assign(num_numbers_, 0.0);
 }
 
 int YieldingWalls::numbers_a_vertex() const {
@@ -44,7 +44,7 @@ int YieldingWalls::numbers_a_vertex() const {
   return static_cast<int>(count);
 }
 
-std::vector<double> YieldingWalls::motion_of_vertices(const State& state) const {
+std::vector<double> YieldingWalls::motion_of_vertices(const Unknowns& unknowns) const {
   const int n = numbers_a_vertex(), here = base::rank(mesh_->comm);
   std::vector<double> of_vertices(static_cast<std::size_t>(mesh_->num_vertices()) * n, 0.0);
   int column = 0;
@@ -54,7 +54,7 @@ std::vector<double> YieldingWalls::motion_of_vertices(const State& state) const 
     for (const std::int32_t v : wall.vertices) giver[v] = here;
     mesh_->vertex_halo.min_to_owners(giver);
     mesh_->vertex_halo.copy_to_ghosts(giver);
-    const double* motion = state.wall_motion.data() + wall.first;
+    const double* motion = unknowns.wall_motion.data() + wall.first;
     for (std::size_t b = 0; b < wall.branches.size(); ++b, column += 2) {
       for (const std::int32_t v : wall.vertices) {
         if (giver[v] == here) std::copy_n(motion, 2, of_vertices.begin() + static_cast<std::ptrdiff_t>(v) * n + column);
@@ -67,12 +67,12 @@ std::vector<double> YieldingWalls::motion_of_vertices(const State& state) const 
   return of_vertices;
 }
 
-void YieldingWalls::take_motion(std::span<const double> of_vertices, State& state) const {
+void YieldingWalls::take_motion(std::span<const double> of_vertices, Unknowns& unknowns) const {
   const int n = numbers_a_vertex();
-  prepare(state);
+  prepare(unknowns);
   int column = 0;
   for (const Wall& wall : walls_) {
-    double* motion = state.wall_motion.data() + wall.first;
+    double* motion = unknowns.wall_motion.data() + wall.first;
     for (std::size_t b = 0; b < wall.branches.size(); ++b, column += 2) {
       for (const std::int32_t v : wall.vertices) {
         std::copy_n(of_vertices.begin() + static_cast<std::ptrdiff_t>(v) * n + column, 2, motion);
@@ -88,12 +88,12 @@ double YieldingWalls::branch_velocity(const WallBranch& branch, double beta, dou
 }
 
 std::vector<std::vector<double>> YieldingWalls::velocities(double beta, std::span<const double> pressure,
-                                                           const State& state) const {
+                                                           const Unknowns& beginning) const {
   std::vector<std::vector<double>> result(wave_->wall_branches().size());
   for (const Wall& wall : walls_) {
     std::vector<double>& velocity = result[wall.boundary];
     velocity.assign(mesh_->num_vertices(), 0.0);
-    const double* motion = state.wall_motion.data() + wall.first;
+    const double* motion = beginning.wall_motion.data() + wall.first;
     for (const WallBranch& branch : wall.branches) {
       for (const std::int32_t v : wall.vertices) {
         velocity[v] += branch_velocity(branch, beta, pressure[v], motion);
@@ -104,10 +104,10 @@ std::vector<std::vector<double>> YieldingWalls::velocities(double beta, std::spa
   return result;
 }
 
-void YieldingWalls::add_forces(double beta, std::span<const double> pressure, const State& state,
+void YieldingWalls::add_forces(double beta, std::span<const double> pressure, const Unknowns& beginning,
                                std::span<double> sums) const {
   if (walls_.empty()) return;
-  const auto velocity = velocities(beta, pressure, state);
+  const auto velocity = velocities(beta, pressure, beginning);
   for_each_facet([&](const BoundaryFacet& facet, const std::int32_t* corners, int count) {
     const double weight = wave_->facet_weight(facet);
     const std::vector<double>& here = velocity[facet.wall];
@@ -117,24 +117,23 @@ void YieldingWalls::add_forces(double beta, std::span<const double> pressure, co
   });
 }
 
-void YieldingWalls::advance(double dt, double theta, std::span<const double> pressure, State& state) const {
+void YieldingWalls::advance(double beta, std::span<const double> pressure, Unknowns& unknowns) const {
   for (const Wall& wall : walls_) {
-    double* motion = state.wall_motion.data() + wall.first;
+    double* motion = unknowns.wall_motion.data() + wall.first;
     for (const WallBranch& branch : wall.branches) {
       for (const std::int32_t v : wall.vertices) {
-        const double middle = branch_velocity(branch, theta * dt, pressure[v], motion);
-        motion[0] += (middle - motion[0]) / theta;
-        motion[1] += dt * middle;
+        motion[0] = branch_velocity(branch, beta, pressure[v], motion);
+        motion[1] += beta * motion[0];
         motion += 2;
       }
     }
   }
 }
 
-double YieldingWalls::energy(const State& state) const {
+double YieldingWalls::energy(const Unknowns& unknowns) const {
   double result = 0;
   for (const Wall& wall : walls_) {
-    const double* motion = state.wall_motion.data() + wall.first;
+    const double* motion = unknowns.wall_motion.data() + wall.first;
     for (const WallBranch& branch : wall.branches) {
       std::vector<double> velocity(mesh_->num_vertices(), 0.0), displacement(mesh_->num_vertices(), 0.0);
       for (const std::int32_t v : wall.vertices) {

@@ -53,13 +53,19 @@ void for_each_contact_array(State& state, const Function& function) {
   function("contact.in_contact", state.in_contact);
 }
 
+template <class Unknowns, class Function>
+void for_each_array_of_sound(Unknowns& unknowns, const std::string& name, const Function& function) {
+  function(name + ".p", unknowns.p);
+  function(name + ".psi", unknowns.psi);
+  function(name + ".layer_flux", unknowns.layer_flux);
+  function(name + ".layer_integral", unknowns.layer_integral);
+  function(name + ".wall_motion", unknowns.wall_motion);
+}
+
 template <class State, class Function>
 void for_each_acoustic_array(State& state, const std::string& name, const Function& function) {
-  function(name + ".p", state.p);
-  function(name + ".psi", state.psi);
-  function(name + ".layer_flux", state.layer_flux);
-  function(name + ".layer_integral", state.layer_integral);
-  function(name + ".wall_motion", state.wall_motion);
+  for_each_array_of_sound(state, name, function);
+  for_each_array_of_sound(state.rates, name + ".rates", function);
   for (std::size_t i = 0; i < state.earlier.size(); ++i)
     function(name + ".earlier" + std::to_string(i), state.earlier[i]);
 }
@@ -161,8 +167,9 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     const acoustic::State& state = simulation.voices()[i]->solver().state();
     const Rebuilds& rebuilds = simulation.voices()[i]->rebuilds();
-    add(acoustic_name(i) + ".times", on_rank_0(comm, {state.time, static_cast<double>(state.earlier.size()),
-                                                      static_cast<double>(rebuilds.count), rebuilds.energy_lost}));
+    add(acoustic_name(i) + ".times",
+        on_rank_0(comm, {state.time, static_cast<double>(state.earlier.size()), static_cast<double>(rebuilds.count),
+                         rebuilds.energy_lost, static_cast<double>(state.has_rates)}));
     for_each_acoustic_array(state, acoustic_name(i), add);
     const auto memory = simulation.voices()[i]->analogy().memory();
     for (std::size_t m = 0; m < memory.size(); ++m) add(memory_name(i, m), *memory[m]);
@@ -253,8 +260,10 @@ CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Sce
   for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
     acoustic::State state = simulation.voices()[i]->solver().state();
     const std::vector<double> acoustic_times = numbers(acoustic_name(i) + ".times");
-    require_version(acoustic_times.size() == 4, "sound");
+    require_version(acoustic_times.size() == 5, "sound");
     state.time = acoustic_times[0];
+    state.has_rates = acoustic_times[4] != 0;
+    if (state.has_rates) state.rates = state;  // for its sizes
     simulation.voices()[i]->set_rebuilds({static_cast<long>(acoustic_times[2]), acoustic_times[3]});
     state.earlier.assign(static_cast<std::size_t>(acoustic_times[1]), std::vector<double>(state.p.size()));
     for_each_acoustic_array(state, acoustic_name(i), read);

@@ -77,6 +77,12 @@ void check_together(const base::Table& root, const Case& config) {
 
 }  // namespace
 
+bool Case::may_move() const {
+  const bool moves_solids = flow || (given_flow && std::holds_alternative<FlowRecord>(*given_flow));
+  return moves_solids && std::any_of(regions.begin(), regions.end(),
+                                     [](const Region& region) { return region.kind == RegionKind::solid; });
+}
+
 Case read_case(MPI_Comm comm, const std::string& file, const std::vector<std::string>& overrides) {
   base::TomlNode tree = base::parse_toml(base::read_text(comm, file, "case file"), file);
   for (const std::string& assignment : overrides) base::apply_override(tree, assignment);

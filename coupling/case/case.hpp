@@ -111,8 +111,8 @@ struct Case {
 
   /// Whether a flow makes the sound, solved or not.
   bool has_flow() const { return flow || given_flow; }
-  /// Whether solids may move: a formula moves none.
-  bool may_move() const { return flow || (given_flow && std::holds_alternative<FlowRecord>(*given_flow)); }
+  /// Whether there are solids that may move: a formula moves none.
+  bool may_move() const;
 
   std::vector<MeshReference> references;
   std::string resolved;  ///< the text of resolved.toml

@@ -83,9 +83,7 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
     : scene_(scene),
       settings_(settings),
       step_(config.time.step),
-      moves_(config.may_move() && may_follow(config, settings.name) &&
-             std::any_of(config.regions.begin(), config.regions.end(),
-                         [](const Region& region) { return region.kind == RegionKind::solid; })),
+      moves_(config.may_move() && may_follow(config, settings.name)),
       analogy_(make_analogy(settings.analogy, medium_of(scene, config, settings))),
       air_(beside && beside->air_->is_separate ? beside->air_ : make_air(scene, config, settings.name)),
       solver_(beside ? acoustic::AcousticSolver::beside(beside->solver_, settings)
