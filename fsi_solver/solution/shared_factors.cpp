@@ -29,6 +29,8 @@ Factors& factors_of(PC preconditioner) {
 PetscErrorCode set_up(PC preconditioner) {
   Factors& factors = factors_of(preconditioner);
   factors.is_shared = factors.shared.factorise();
+  // What -ksp_view prints.
+  PetscCall(PCShellSetName(preconditioner, factors.is_shared ? "shared factors" : "gathered factors"));
   if (factors.is_shared) return 0;
   Mat matrix = nullptr;
   PetscCall(PCGetOperators(preconditioner, nullptr, &matrix));
@@ -60,7 +62,6 @@ bool use_shared_factors(PC preconditioner, Mat matrix, const std::string& prefix
   auto factors = std::make_unique<Factors>(matrix, prefix);
   if (factors->shared.dense_share() > 1) return false;
   base::check(PCSetType(preconditioner, PCSHELL));
-  base::check(PCShellSetName(preconditioner, "shared factors"));
   base::check(PCShellSetContext(preconditioner, factors.release()));
   base::check(PCShellSetSetUp(preconditioner, set_up));
   base::check(PCShellSetApply(preconditioner, apply));

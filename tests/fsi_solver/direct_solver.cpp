@@ -1,5 +1,7 @@
 #include "fsi_solver/solution/direct_solver.hpp"
 
+#include <string>
+
 #include "tests/all_ranks.hpp"
 #include "tests/la/strip.hpp"
 
@@ -16,6 +18,15 @@ bool is_of_type(KSP solver, const char* type) {
   return result == PETSC_TRUE;
 }
 
+/// Which way the factors of a matrix of long pieces went.
+std::string name_of_factors(KSP solver) {
+  PC preconditioner = nullptr;
+  base::check(KSPGetPC(solver, &preconditioner));
+  const char* name = nullptr;
+  base::check(PCShellGetName(preconditioner, &name));
+  return name;
+}
+
 }  // namespace
 
 TEST_CASE("A direct solver shares out what ranks can eliminate, gathers the rest, and follows the matrix") {
@@ -26,12 +37,15 @@ TEST_CASE("A direct solver shares out what ranks can eliminate, gathers the rest
       if (has_constraints && reuse == Reuse::many_solves) continue;  // PETSc's factors do not pivot
       la::Strip strip(along, has_constraints);
       const la::PetscLinearSolver solver = create_repeatable_solver(strip.matrix.get(), "test_direct_", reuse);
-      const bool is_long = along == 60;
-      if (is_long) CHECK(is_of_type(solver.get(), PCSHELL) == (!is_alone && reuse == Reuse::few_solves));
+      const bool is_shell = !is_alone && reuse == Reuse::few_solves;
+      if (along == 60) CHECK(is_of_type(solver.get(), PCSHELL) == is_shell);
       for (const double factor : {1.0, 3.0}) {
         strip.fill(factor);
         base::check(KSPSetOperators(solver.get(), strip.matrix.get(), strip.matrix.get()));
         CHECK(strip.residual([&](Vec b, Vec x) { base::check(KSPSolve(solver.get(), b, x)); }) < 1e-13);
+        if (along == 60 && is_shell) {
+          CHECK(name_of_factors(solver.get()) == (has_constraints ? "gathered factors" : "shared factors"));
+        }
       }
     }
   }
