@@ -9,9 +9,9 @@
 namespace vocalis::acoustic {
 
 /// The terms with v = β - U of one sub-step of implicit Euler to the stage, which are iterated outside of the pressure
-/// system. With r = v·∇ψ_θ the potential is ψ_θ = ψ* + θ dt (p_θ / ρ + r). A pass takes the last one's r to find p_θ, and
-/// both for the new r. In a flow it leaves an error at most M + M² times as large as it finds, M the largest |U| / c,
-/// whatever the step and the cells: docs/theory.md, "Sound in a flow".
+/// system. With r = v·∇ψ_θ the potential is ψ_θ = ψ* + θ dt (p_θ / ρ + r). A pass takes the last one's r to find p_θ,
+/// and both for the new r. In a flow it leaves an error at most M + M² times as large as it finds, M the largest |U| /
+/// c, whatever the step and the cells: docs/theory.md, "Sound in a flow".
 class ImplicitConvection {
  public:
   /// beta       θ dt [s], see GeneralisedAlpha

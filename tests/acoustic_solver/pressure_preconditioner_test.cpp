@@ -64,6 +64,29 @@ TEST_CASE("with multigrid, too, what follows depends on the state alone") {
   CHECK(first.state().p == second.state().p);
 }
 
+TEST_CASE("sounds that share a mesh in motion are solved for by factors, one alone by iterations") {
+  const mesh::Mesh mesh = horn(2);
+  AcousticSolver first(mesh, settings_of(3));
+  const auto wider = [&](double factor) {
+    std::vector<double> moved = mesh.coordinates;
+    for (std::size_t v = 1; v < moved.size(); v += 2) moved[v] *= factor;
+    return moved;
+  };
+  const auto iterations_beyond_passes = [&] {
+    int count = 0;
+    for (const double factor : {1.0, 1.1, 1.2}) {
+      const std::vector<double> begin = wider(factor), end = wider(factor + 0.1);
+      const AdvanceReport report = first.advance(3, {.begin = begin, .end = end, .convection = {}}, bell(3));
+      CHECK(report.converged);
+      count += report.linear_iterations - report.passes;
+    }
+    return count;
+  };
+  CHECK(iterations_beyond_passes() > 0);
+  const AcousticSolver second = AcousticSolver::beside(first, settings_of(3));
+  CHECK(iterations_beyond_passes() == 0);
+}
+
 TEST_CASE("blocks of ranks serve as long as a step crosses few cells") {
   CHECK(choose_preconditioner(2, 1, 30, 1000) == Preconditioner::cholesky);
   CHECK(choose_preconditioner(2, 4, 1, 1000) == Preconditioner::cholesky);
