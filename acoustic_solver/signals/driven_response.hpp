@@ -34,7 +34,9 @@ struct DrivenResponse {
 ///
 /// is fitted, and H = B/A has the system's poles whatever the source's spectrum is, where it has any energy. Sound of
 /// which the source says nothing, as that of folds that meet, comes in short bursts: an error counts by its square as
-/// long XX///
+/// long as it is one of the usual ones, and by its size beyond that (Huber's weights). Formants are those that recur
+/// from order to order, see `recurring_formants`; the level is the median over the orders.
+///
 /// source, response  one number per sample each, at `rate` [Hz]. Series that are too short give an empty result.
 /// Source: Ljung 1999, System Identification, sections 4.2 (ARX model) and 15.2 (robust norms); Huber 1964, Ann. Math.
 /// Stat. 35, 73; Holland & Welsch 1977, Commun. Stat. A 6, 813 (weights anew after each solution).
