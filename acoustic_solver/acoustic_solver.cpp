@@ -199,9 +199,7 @@ AdvanceReport AcousticSolver::advance(double dt, const Motion& motion, const Sou
     if (parts == 0) {
       report.converged = false;
       report.reason = fmt::format(
-          "the explicit integrator's stable step fell to {:.1e} s: a cell of the moving mesh "
-          "closes",
-          longest);
+          "the explicit integrator's stable step fell to {:.1e} s: a cell of the moving mesh closes", longest);
       return report;
     }
   }

@@ -41,8 +41,8 @@ struct Adoption {
 ///   (1 / (ρ c²)) (ṗ - v·∇p, q) + (∇ψ, ∇q) + <u·n, q> = (Q, q) + <g, q>,     ψ̇ - v·∇ψ = p / ρ at each vertex,
 ///
 /// where the rates are at a fixed vertex, which moves with β, and v = β - U with the velocity U of the medium. Time: an
-/// implicit or an explicit integrator, with geometry and β at the middle of the sub-step. Equations, boundary
-/// conditions and accuracy: docs/theory.md.
+/// implicit or an explicit integrator, with a geometry from within the sub-step. Equations, boundary conditions and
+/// accuracy: docs/theory.md.
 class AcousticSolver {
  public:
   /// Silence on `mesh`, which must outlive the solver or be replaced by `adopt`. PETSc's options begin with

@@ -39,14 +39,14 @@ void GeneralisedAlpha::finish(const Unknowns& stage, double dt, bool keeps_rates
   if (!keeps_rates) state.rates = {};
   state.has_rates = keeps_rates;
   for (const auto which : kAll) {
-    const std::vector<double>& middle = stage.*which;
+    const std::vector<double>& reached = stage.*which;
     std::vector<double>& values = state.*which;
     std::vector<double>& rates = state.rates.*which;
     if (keeps_rates) rates.resize(values.size(), 0.0);
     // The mean rate over the step is ẏ_n + γ (ẏ_n+1 - ẏ_n).
     const double fraction = is_start_ ? 1 : 1 / rate_part_;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double change = (middle[i] - values[i]) / flow_weight_;
+      const double change = (reached[i] - values[i]) / flow_weight_;
       values[i] += change;
       if (keeps_rates) rates[i] += fraction * (change / dt - rates[i]);
     }

@@ -19,8 +19,8 @@ ImplicitConvection::ImplicitConvection(const fem::Space& space, const WaveOperat
   for (const std::int32_t v : wave.inlets()) base_[v] = 0;
 }
 
-void ImplicitConvection::middle(const std::vector<double>& increment, std::vector<double>& pressure,
-                                std::vector<double>& potential) const {
+void ImplicitConvection::at_stage(const std::vector<double>& increment, std::vector<double>& pressure,
+                                  std::vector<double>& potential) const {
   pressure = base_;
   potential.resize(pressure.size());
   const double b = beta_ / density_;
@@ -32,7 +32,7 @@ void ImplicitConvection::middle(const std::vector<double>& increment, std::vecto
 
 void ImplicitConvection::update(const std::vector<double>& increment) {
   std::vector<double> potential;
-  middle(increment, convected_, potential);
+  at_stage(increment, convected_, potential);
   const bool is_first = rates_.empty();
   before_ = rates_;
   wave_->potential_convection(potential, convected_, rates_, walls_->velocities(beta_, convected_, *beginning_));

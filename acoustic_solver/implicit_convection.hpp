@@ -34,8 +34,8 @@ class ImplicitConvection {
   void add_terms(std::vector<double>& right_hand_side) const;
 
   /// p_θ (0 at inlets) and ψ_θ for an increment and the last r.
-  void middle(const std::vector<double>& increment, std::vector<double>& pressure,
-              std::vector<double>& potential) const;
+  void at_stage(const std::vector<double>& increment, std::vector<double>& pressure,
+                std::vector<double>& potential) const;
 
   /// Puts p_θ and ψ_θ into the unknowns, which may be those of the beginning.
   void finish(const std::vector<double>& increment, Unknowns& stage) const;
@@ -46,8 +46,8 @@ class ImplicitConvection {
   const YieldingWalls* walls_;
   const Unknowns* beginning_;
   double density_, beta_;
-  std::vector<double> base_;
-  std::vector<double> rates_;      ///< r; empty before the first update
+  std::vector<double> base_;       ///< [Pa]
+  std::vector<double> rates_;      ///< r [m^2/s^2]; empty before the first update
   std::vector<double> before_;     ///< r of the update before
   std::vector<double> held_;       ///< r, but 0 at inlets
   std::vector<double> convected_;  ///< p_θ that v carries

@@ -129,10 +129,10 @@ bool ImplicitStep::advance(const SubStep& step, State& state, AdvanceReport& rep
   if (!solve_step(step, system, fixed, convection, increment, report)) return false;
 
   if (layers_->exist() || walls_->exist()) {
-    std::vector<double> middle_pressure;
-    convection.middle(increment, middle_pressure, potential);
-    layers_->advance(beta, middle_pressure, potential, stage);
-    walls_->advance(beta, middle_pressure, stage);
+    std::vector<double> stage_pressure;
+    convection.at_stage(increment, stage_pressure, potential);
+    layers_->advance(beta, stage_pressure, potential, stage);
+    walls_->advance(beta, stage_pressure, stage);
   }
   auto& earlier = state.earlier;
   if (earlier.size() == kEarlierPressures) earlier.pop_back();

@@ -28,9 +28,9 @@ struct SubStep {
   double begin = 0;          ///< [s]
   double dt = 0;             ///< [s]
   bool moves = false;        ///< some vertex moves during it
+  bool convects = false;     ///< that, or the medium flows
   bool is_shared = false;    ///< other sounds take the same sub-step
   int slot = 0;              ///< which of the systems that are kept is for it
-  bool convects = false;     ///< so does it, or the medium flows
   std::vector<double> load;  ///< (Q, q) where the integrator wants it, at the owners [m^3/s; m^2/s in the plane];
                              ///< empty: no source
   std::vector<double> load_change;        ///< of it, from begin to end; empty: no source
