@@ -61,7 +61,6 @@ class Microphones {
   /// The samples since the last time, on rank 0; on the others empty. Collective.
   Block collect();
 
-  std::size_t num_samples() const { return state_.times.size(); }
   const std::vector<MicrophoneSettings>& settings() const { return settings_; }
   const State& state() const { return state_; }
   void set_state(State state) { state_ = std::move(state); }

@@ -64,32 +64,6 @@ std::vector<std::size_t> frame_begins(std::size_t series, std::size_t length, do
   return begins;
 }
 
-/// Last place where the level still falls (direction = 1: to the right, -1: to the left) from a peak.
-std::size_t valley(std::span<const double> level, std::size_t peak, int direction, double stop_above) {
-  std::size_t lowest = peak;
-  for (std::size_t k = peak; direction > 0 ? k + 1 < level.size() : k > 0;) {
-    k = direction > 0 ? k + 1 : k - 1;
-    if (std::isnan(level[k]) || level[k] > stop_above) break;
-    if (level[k] < level[lowest]) lowest = k;
-  }
-  return lowest;
-}
-
-/// Distance [bins] from the peak's bin to where the level has fallen to `target`; not a number if it never does.
-double fall(std::span<const double> level, std::size_t peak, std::size_t end, double target) {
-  const int direction = end > peak ? 1 : -1;
-  for (std::size_t k = peak; k != end;) {
-    const std::size_t next = direction > 0 ? k + 1 : k - 1;
-    if (level[next] <= target) {
-      const double part = (level[k] - target) / (level[k] - level[next]);
-      const double whole = direction > 0 ? static_cast<double>(k - peak) : static_cast<double>(peak - k);
-      return whole + part;
-    }
-    k = next;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 }  // namespace
 
 std::vector<double> burg_coefficients(std::span<const double> series, int order) {
@@ -127,9 +101,6 @@ std::vector<Formant> formants_by_prediction(std::span<const double> series, doub
   if (sound.size() < static_cast<std::size_t>(2 * order + 2)) return {};
   const double factor = std::exp(-2 * std::numbers::pi * settings.pre_emphasis / rate);
   for (std::size_t n = sound.size(); n-- > 1;) sound[n] -= factor * sound[n - 1];
-  if (settings.window == LinearPrediction::Window::none) {
-    return formants_of_frame(std::span(sound).subspan(1), rate, settings);
-  }
   const auto length = std::min(sound.size(), static_cast<std::size_t>(std::lround(2 * settings.window_length * rate)));
   if (length < static_cast<std::size_t>(2 * order + 2)) return {};
   const std::vector<double> window = gaussian_window(length);
@@ -154,29 +125,6 @@ std::vector<Formant> formants_by_prediction(std::span<const double> series, doub
     formant.bandwidth = median(bandwidths);
     result.push_back(formant);
   }
-}
-
-std::vector<Formant> formants_by_peaks(std::span<const double> level, double bin_width, const PeakSettings& settings) {
-  std::vector<Formant> formants;
-  for (std::size_t k = 1; k + 1 < level.size(); ++k) {
-    if (!(level[k] > level[k - 1] && level[k] >= level[k + 1])) continue;
-    const double curvature = level[k - 1] - 2 * level[k] + level[k + 1];
-    const double shift = 0.5 * (level[k - 1] - level[k + 1]) / curvature;
-    Formant formant;
-    formant.frequency = (static_cast<double>(k) + shift) * bin_width;
-    formant.level = level[k] - 0.25 * (level[k - 1] - level[k + 1]) * shift;
-    if (formant.frequency < settings.minimum_frequency || formant.frequency > settings.maximum_frequency) continue;
-    const std::size_t left = valley(level, k, -1, level[k]);
-    const std::size_t right = valley(level, k, 1, level[k]);
-    if (level[k] - std::max(level[left], level[right]) < settings.prominence) continue;
-    const double half_power = formant.level - 10 * std::log10(2.0);
-    formant.bandwidth = (fall(level, k, left, half_power) + fall(level, k, right, half_power)) * bin_width;
-    formants.push_back(formant);
-  }
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const Formant& formant : formants) highest = std::max(highest, formant.level);
-  std::erase_if(formants, [&](const Formant& formant) { return formant.level < highest - settings.range; });
-  return formants;
 }
 
 }  // namespace vocalis::acoustic

@@ -17,13 +17,11 @@ struct Formant {
 
 /// How linear prediction cuts and models the sound.
 struct LinearPrediction {
-  enum class Window { gaussian, none };
-  int formants = 5;                  ///< two coefficients each
-  double ceiling = 5000;             ///< the sound is resampled to twice this [Hz]; 5000 for men, 5500 for women
-  double pre_emphasis = 50;          ///< from here on +6 dB per octave [Hz]
-  double maximum_bandwidth = 1000;   ///< broader roots shape the tilt of the spectrum and are no resonances [Hz]
-  double window_length = 0.025;      ///< effective length of a Gaussian window, half of its whole length [s]
-  Window window = Window::gaussian;  ///< `none`: the whole record is one frame, for a ring-down
+  int formants = 5;                 ///< two coefficients each
+  double ceiling = 5000;            ///< the sound is resampled to twice this [Hz]; 5000 for men, 5500 for women
+  double pre_emphasis = 50;         ///< from here on +6 dB per octave [Hz]
+  double maximum_bandwidth = 1000;  ///< broader roots shape the tilt of the spectrum and are no resonances [Hz]
+  double window_length = 0.025;     ///< effective length of a Gaussian window, half of its whole length [s]
 };
 
 /// Formants by linear prediction (Burg), the median over frames that follow at a quarter of the window length. A frame
@@ -40,20 +38,5 @@ std::vector<Formant> formants_by_prediction(std::span<const double> series, doub
 /// Coefficients a of the prediction x_n = sum_k a[k-1] x_{n-k}, k = 1 .. order, that Burg's recursion gives: it
 /// minimises the forward and backward errors together. All zero for silence. Needs more than `order` samples.
 std::vector<double> burg_coefficients(std::span<const double> series, int order);
-
-/// Which peaks of a spectrum count.
-struct PeakSettings {
-  double minimum_frequency = 100;   ///< [Hz]
-  double maximum_frequency = 5500;  ///< [Hz]
-  double prominence = 1;            ///< least height above the higher of the two valleys beside it [dB]
-  double range = 50;                ///< peaks further below the highest one are ripples [dB]
-};
-
-/// Formants as the peaks of a spectrum of levels: vertex of the parabola through the three highest points, bandwidth
-/// between the points 3 dB below it (straight between bins; not a number if a valley comes first).
-///
-/// level       [dB], one per bin; not-a-number bins end a peak
-/// bin_width   [Hz], the first bin is at 0
-std::vector<Formant> formants_by_peaks(std::span<const double> level, double bin_width, const PeakSettings& settings);
 
 }  // namespace vocalis::acoustic

@@ -51,8 +51,8 @@ struct PulseResponse {
 /// Formants and transfer function of a vocal tract from its response to a flux pulse. The formants are the damped modes
 /// of the pressure from `settle` after the pulse on, but for those that do not shape the transfer function at their own
 /// frequency (12 dB below it). Frequency and bandwidth are those of the pole; where resonances overlap, the peak of |H|
-/// lies some tenths of a per cent beside it (`formants_by_peaks` of `transfer`). The transfer function is that of the
-/// record continued for ever by these modes, so that a record that ends while F1 still rings does not smear it.
+/// lies some tenths of a per cent beside it. The transfer function is that of the record continued for ever by these
+/// modes, so that a record that ends while F1 still rings does not smear it.
 ///
 /// flux      source, a pulse that has ended well before the record does; one number per step
 /// pressure  at the microphone [Pa], as many numbers

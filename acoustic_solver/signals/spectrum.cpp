@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -101,21 +100,6 @@ double sound_pressure_level(std::span<const double> pressure) {
   return level(sum / count, reference_pressure * reference_pressure);
 }
 
-ComplexSpectrum amplitude_spectrum(std::span<const double> series, double sampling_rate) {
-  ComplexSpectrum result;
-  if (series.size() < 2) return result;
-  const int length = static_cast<int>(series.size());
-  const std::vector<double> window = hann_window(length);
-  result.value = windowed_transform(series, window);
-  result.frequency = bins(result.value.size(), sampling_rate / length);
-  const double sum = std::accumulate(window.begin(), window.end(), 0.0);
-  for (std::size_t k = 0; k < result.value.size(); ++k) {
-    const bool alone = k == 0 || (length % 2 == 0 && k + 1 == result.value.size());
-    result.value[k] *= (alone ? 1.0 : 2.0) / sum;
-  }
-  return result;
-}
-
 ComplexSpectrum transient_spectrum(std::span<const double> series, double sampling_rate, double bin_width) {
   assert(sampling_rate > 0 && bin_width > 0);
   ComplexSpectrum result;
@@ -124,37 +108,6 @@ ComplexSpectrum transient_spectrum(std::span<const double> series, double sampli
   result.value = fourier_transform(series, length);
   for (Complex& value : result.value) value /= sampling_rate;
   result.frequency = bins(result.value.size(), sampling_rate / length);
-  return result;
-}
-
-ComplexSpectrum transfer_function(std::span<const double> source, std::span<const double> response,
-                                  double sampling_rate, int segment_length) {
-  assert(source.size() == response.size() && sampling_rate > 0);
-  const Segments segments(source.size(), segment_length);
-  ComplexSpectrum result;
-  if (segments.count == 0) return result;
-  const std::vector<double> window = hann_window(segments.length);
-  const std::size_t count = static_cast<std::size_t>(segments.length / 2 + 1);
-  std::vector<double> source_power(count, 0.0);
-  std::vector<double> response_power(count, 0.0);
-  std::vector<Complex> cross_power(count, 0.0);
-  for (int segment = 0; segment < segments.count; ++segment) {
-    const auto from = windowed_transform(segments.of(source, segment), window);
-    const auto to = windowed_transform(segments.of(response, segment), window);
-    for (std::size_t k = 0; k < count; ++k) {
-      source_power[k] += std::norm(from[k]);
-      response_power[k] += std::norm(to[k]);
-      cross_power[k] += std::conj(from[k]) * to[k];
-    }
-  }
-  result.frequency = bins(count, sampling_rate / segments.length);
-  result.value.resize(count);
-  result.coherence.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    result.value[k] = cross_power[k] / source_power[k];
-    const double product = source_power[k] * response_power[k];
-    result.coherence[k] = product > 0 ? std::norm(cross_power[k]) / product : 0.0;
-  }
   return result;
 }
 

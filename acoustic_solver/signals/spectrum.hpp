@@ -22,7 +22,6 @@ struct PowerSpectrum {
 struct ComplexSpectrum {
   std::vector<double> frequency;            ///< [Hz], equally spaced from 0
   std::vector<std::complex<double>> value;  ///< one per frequency
-  std::vector<double> coherence;            ///< 0..1, one per frequency; empty where it has no meaning
 };
 
 /// Power spectral density by averaged periodograms: Hann window (periodic), overlap of segment_length / 2 (rounded
@@ -41,18 +40,9 @@ std::vector<double> density_level(const PowerSpectrum& spectrum);
 /// constant pressure is no sound. Not below -300 dB.
 double sound_pressure_level(std::span<const double> pressure);
 
-/// Amplitudes of the lines of a series: Hann window, divided by its mean, so that a cosine of amplitude a gives a at
-/// its bin [unit of the series]. One number per bin of width sampling_rate / (number of samples); the mean is removed.
-ComplexSpectrum amplitude_spectrum(std::span<const double> series, double sampling_rate);
-
 /// Fourier integral of a transient, X(f) = dt sum_n x_n exp(-2 pi i f n dt) [unit of the series times s], without
 /// window, padded with zeros until the bins are not wider than `bin_width` [Hz].
 ComplexSpectrum transient_spectrum(std::span<const double> series, double sampling_rate, double bin_width);
-
-/// Transfer function from `source` to `response` by averaged periodograms, H1 = S_sr / S_ss, with the windows of
-/// `welch`: noise in the response averages out. The coherence is |S_sr|^2 / (S_ss S_rr). Both series have one length.
-ComplexSpectrum transfer_function(std::span<const double> source, std::span<const double> response,
-                                  double sampling_rate, int segment_length);
 
 /// Transfer function of a whole transient, H = R(f) / S(f), bins as in `transient_spectrum`. Not a number at
 /// frequencies where |S| is below `source_floor` times its largest value: there the source says nothing.

@@ -103,8 +103,6 @@ void Log::line(const std::string& text) {
   if (inside_->file) inside_->file->info(text);
 }
 
-void Log::warning(const std::string& text) { line("warning: " + text); }
-
 void Log::progress(const Progress& now) {
   if (!inside_) return;
   Inside& in = *inside_;

@@ -43,10 +43,6 @@ class Log {
   void info(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     if (speaks()) line(fmt::format(text, std::forward<Arguments>(arguments)...));
   }
-  template <class... Arguments>
-  void warn(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-    if (speaks()) warning(fmt::format(text, std::forward<Arguments>(arguments)...));
-  }
 
   /// Called every step; the log decides what of it is shown. Seconds left are reckoned from the steps since the first
   /// call, or since `time` went back.
@@ -58,7 +54,6 @@ class Log {
 
  private:
   void line(const std::string& text);
-  void warning(const std::string& text);
   static bool is_terminal();
 
   struct Inside;

@@ -38,7 +38,6 @@ class RecordReader {
     std::unique_ptr<Hdf5Rows> marks;
     std::vector<std::int64_t> vertex_row;  ///< in the file, of each vertex in input order
     std::vector<std::int64_t> cell_row, edge_row;
-    double first_time = 0;
   };
   void open(const std::vector<double>& coordinates, const std::vector<RecordLayout::Field>& optional);
   void open_fields(std::int64_t steps, const std::vector<RecordLayout::Field>& optional);

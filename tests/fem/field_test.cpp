@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "core/base/mpi.hpp"
-#include "core/fem/interpolate.hpp"
 #include "core/mesh/generate.hpp"
 #include "core/mesh/geometry.hpp"
 #include "core/mesh/partition.hpp"
 #include "tests/all_ranks.hpp"
+#include "tests/interpolate.hpp"
 
 using namespace vocalis;
 

@@ -24,7 +24,7 @@ namespace {
 
 const char* const usage =
     "usage: signal_probe vowel NUMBER PITCH OUT.wav | formants FILE | pitch FILE | level FILE | welch FILE SEGMENT |\n"
-    "  amplitude FILE | response FLOW SOUND | transfer FILE FILE SEGMENT | resample FILE RATE | harmonics FILE PITCH\n";
+    "  response FLOW SOUND | resample FILE RATE | harmonics FILE PITCH\n";
 
 /// Half a second of one of the ten vowels, sung by Rosenberg's pulses; about 0.1 Pa. It fades in and out over 50 ms:
 /// without that weak formants move in Praat, those of /u/ at 220 Hz by 6.6 %.
@@ -52,13 +52,6 @@ void print_driven_formants(const io::Sound& flow, const io::Sound& sound) {
   }
 }
 
-void print_spectrum(const acoustic::ComplexSpectrum& spectrum) {
-  for (std::size_t k = 0; k < spectrum.value.size(); ++k) {
-    fmt::print("{:.17g} {:.17g} {:.17g} {:.17g}\n", spectrum.frequency[k], spectrum.value[k].real(),
-               spectrum.value[k].imag(), spectrum.coherence.empty() ? 1 : spectrum.coherence[k]);
-  }
-}
-
 int probe(const std::vector<std::string>& words) {
   const std::string& command = words[0];
   if (command == "vowel" && words.size() == 4) {
@@ -78,13 +71,8 @@ int probe(const std::vector<std::string>& words) {
     for (std::size_t k = 0; k < power.density.size(); ++k) {
       fmt::print("{:.17g} {:.17g}\n", power.frequency[k], power.density[k]);
     }
-  } else if (command == "amplitude") {
-    print_spectrum(acoustic::amplitude_spectrum(sound.pressure, rate));
   } else if (command == "response" && words.size() == 3) {
     print_driven_formants(sound, io::read_wav(words[2]));
-  } else if (command == "transfer" && words.size() == 4) {
-    const io::Sound response = io::read_wav(words[2]);
-    print_spectrum(acoustic::transfer_function(sound.pressure, response.pressure, rate, std::stoi(words[3])));
   } else if (command == "resample" && words.size() == 3) {
     for (const double value : acoustic::resample(sound.pressure, rate, std::stod(words[2])))
       fmt::print("{:.17g}\n", value);

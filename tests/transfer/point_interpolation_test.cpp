@@ -6,11 +6,11 @@
 
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
-#include "core/fem/interpolate.hpp"
 #include "core/fem/simplex.hpp"
 #include "core/mesh/cell_tree.hpp"
 #include "core/mesh/generate.hpp"
 #include "tests/all_ranks.hpp"
+#include "tests/interpolate.hpp"
 #include "tests/transfer/random_case.hpp"
 #include "tests/transfer/world_split.hpp"
 #include "transfer/strip.hpp"

@@ -1,6 +1,5 @@
 #include "coupling/monitors/line_flux.hpp"
 
-#include "core/fem/interpolate.hpp"
 #include "core/mesh/generate.hpp"
 #include "tests/all_ranks.hpp"
 
