@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <string_view>
 
 #include "core/base/case_table.hpp"
@@ -29,6 +30,24 @@ std::string as_toml_text(const std::string& text) {
   return base::toml_value(node);
 }
 
+/// A number of steps. Empty: it is one.
+std::string step_count_mistake(const std::string& text) {
+  long count = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
+  const bool is_whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return is_whole && count > 0 ? "" : "a whole number of at least 1 is needed, not " + text;
+}
+
+/// Throws UserError where the first word is no command.
+void require_known_command(const std::vector<std::string>& arguments, const CLI::App& app) {
+  if (arguments.empty() || arguments[0].starts_with("-")) return;
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  if (std::find(names.begin(), names.end(), arguments[0]) != names.end()) return;
+  throw base::UserError("there is no such command", "\"" + arguments[0] + "\"",
+                        base::did_you_mean(arguments[0], names));
+}
+
 }  // namespace
 
 Command parse_command(const std::vector<std::string>& arguments) {
@@ -54,9 +73,10 @@ Command parse_command(const std::vector<std::string>& arguments) {
     sub->add_option("--out", out, "run folder (output.directory of the case, or RUN-replay, otherwise)");
   }
   for (CLI::App* sub : {run, resume, replay}) {
-    sub->add_option("--steps", command.steps, "stop after so many steps; resume goes on")->check(CLI::PositiveNumber);
+    sub->add_option("--steps", command.steps, "stop after so many steps; resume goes on")->check(step_count_mistake);
   }
 
+  require_known_command(arguments, app);
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // CLI11 takes them from the back
     app.parse(reversed);

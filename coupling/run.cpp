@@ -241,9 +241,16 @@ int run_from_start(MPI_Comm comm, const Case& config, long steps) {
   return Run(comm, config, false).go(steps);
 }
 
-/// The case of a run folder: its resolved.toml, which names all values, with the folder itself as the place.
+/// The case of a run folder: its resolved.toml, which names all values, with the folder itself as the place. Throws
+/// UserError if there is none.
 Case case_of_folder(MPI_Comm comm, const std::string& folder) {
   const std::string file = (std::filesystem::path(folder) / "resolved.toml").string();
+  base::on_first_rank(comm, [&] {
+    if (std::filesystem::is_regular_file(file)) return;
+    throw base::UserError(folder + " must be a run folder",
+                          std::filesystem::exists(folder) ? "no resolved.toml in it" : "nothing of this name",
+                          "name a folder that a run has written, for example runs/quick");
+  });
   Case config = read_case(comm, file, {});
   config.output.directory = folder;
   return config;

@@ -94,6 +94,11 @@ void print_table(base::Log& log, const Case& config, const RunFacts& facts, cons
   for (const auto& [name, value] : figures.values) {
     log.info("  {:<28} {:>12.6g}{}", name, value, expectation(config, name, value));
   }
+  for (const auto& [name, expected] : config.expected) {
+    if (figures.values.contains(name)) continue;
+    log.info("  {:<28} {:>12}   expected {:.6g} +- {:.3g}: NOT MET", name, "not found", expected.value,
+             expected.tolerance);
+  }
   if (!figures.vibration.empty()) log.info("  {:<28} {:>12}", "the folds' vibration", figures.vibration);
   log.info("  wall seconds by phase");
   for (const auto& phase : facts.phases) log.info("    {:<26} {:>12.2f}", phase.name, phase.seconds);

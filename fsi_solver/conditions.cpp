@@ -141,6 +141,22 @@ std::vector<NamedFacet> wall_facets(const Continuum& continuum, const std::vecto
   return result;
 }
 
+/// The exterior facets of a boundary. Throws UserError where the mesh has no such group, or the group no facet at which
+/// fluid or solid ends. Collective.
+std::vector<NamedFacet> facets_of(const Mesh& mesh, const FlowBoundary& boundary) {
+  if (mesh::index_of(mesh.group_names, boundary.group) < 0) {
+    throw base::UserError("a boundary must name a group of facets of the mesh", boundary.group,
+                          base::did_you_mean(boundary.group, mesh.group_names));
+  }
+  std::vector<NamedFacet> facets = exterior_facets_of(mesh, boundary.group);
+  if (base::sum(mesh.comm, static_cast<std::int64_t>(facets.size())) == 0) {
+    throw base::UserError("a boundary of the flow must lie where fluid or solid ends",
+                          "\"" + boundary.group + "\", which has no facet there",
+                          "name another group, or leave this boundary out");
+  }
+  return facets;
+}
+
 }  // namespace
 
 Conditions make_conditions(const Continuum& continuum, const FlowSettings& settings) {
@@ -157,11 +173,7 @@ Conditions make_conditions(const Continuum& continuum, const FlowSettings& setti
   // Later entries override: driven boundaries, then symmetries, then walls.
   for (std::size_t i = 0; i < settings.boundaries.size(); ++i) {
     const FlowBoundary& boundary = settings.boundaries[i];
-    if (mesh::index_of(mesh.group_names, boundary.group) < 0) {
-      throw base::UserError("a boundary must name a group of facets of the mesh", boundary.group,
-                            base::did_you_mean(boundary.group, mesh.group_names));
-    }
-    const std::vector<NamedFacet> facets = exterior_facets_of(mesh, boundary.group);
+    const std::vector<NamedFacet> facets = facets_of(mesh, boundary);
     const auto index = static_cast<int>(i);
     if (boundary.kind == FlowBoundaryKind::velocity) {
       const std::vector<std::int32_t> marks = mark_dofs(space, facets);

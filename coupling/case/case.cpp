@@ -1,7 +1,6 @@
 #include "coupling/case/case.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 
 #include "core/base/case_override.hpp"

@@ -128,7 +128,7 @@ void read_acoustics(MPI_Comm comm, base::Table& root, Case& config) {
       solver.boundaries.push_back(read_boundary(boundary, config));
       groups.push_back(solver.boundaries.back().group);
     }
-    reject_duplicates(table, "[[acoustic.boundary]]", groups);
+    reject_duplicates(table, "[[acoustic.boundary]]", groups, "group");
     const auto own_mesh = read_own_mesh(comm, table, solver, groups.size(), config);
     const bool moves = config.may_move() && (!own_mesh || own_mesh->follows_flow);
     solver.spectral_radius = table.number_or(

@@ -50,8 +50,10 @@ void read_contact(base::Table& root, Case& config) {
                                     base::not_negative, "Pa s");
   medium.friction = table->choice_or<fsi::Friction>("friction", medium.friction,
                                                     {{"full", fsi::Friction::full}, {"none", fsi::Friction::none}});
-  medium.film_viscosity =
-      table->number_or("film_viscosity", film_viscosity(medium, config.flow->viscosity), base::not_negative, "Pa s");
+  if (medium.friction == fsi::Friction::none) {
+    medium.film_viscosity =
+        table->number_or("film_viscosity", film_viscosity(medium, config.flow->viscosity), base::not_negative, "Pa s");
+  }
   config.flow->mesh_recovery = table->number_or("mesh_recovery", 10 * config.time.step, base::not_negative, "s");
 }
 

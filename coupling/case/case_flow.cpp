@@ -163,7 +163,7 @@ void read_flow(base::Table& root, Case& config) {
     flow.boundaries.push_back(read_boundary(boundary, config));
     groups.push_back(flow.boundaries.back().group);
   }
-  reject_duplicates(root, "[[flow.boundary]]", groups);
+  reject_duplicates(root, "[[flow.boundary]]", groups, "group");
 }
 
 void read_time(base::Table& root, Case& config) {

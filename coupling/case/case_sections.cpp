@@ -94,12 +94,13 @@ std::vector<std::string> read_groups(base::Table& table, Case& config, const std
   return names;
 }
 
-void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names) {
+void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names,
+                       const std::string& key) {
   std::set<std::string> seen;
   for (const std::string& name : names) {
     if (seen.insert(name).second) continue;
-    throw UserError(root.place() + ": every " + what + " needs a name of its own", "\"" + name + "\" twice",
-                    "rename or merge them");
+    throw UserError(root.place() + ": every " + what + " needs a " + key + " of its own", "\"" + name + "\" twice",
+                    key == "name" ? "rename or merge them" : "merge them, or leave one out");
   }
 }
 

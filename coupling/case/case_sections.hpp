@@ -48,7 +48,8 @@ std::array<double, 3> read_vector_or(base::Table& table, const std::string& key,
 std::string read_group(base::Table& table, Case& config, const std::string& key = "group");
 std::vector<std::string> read_groups(base::Table& table, Case& config, const std::string& key = "groups");
 
-/// Throws if a name stands twice. `what` is the kind of thing: "[[region]]".
-void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names);
+/// Throws if a name stands twice. `what` is the kind of thing, "[[region]]", and `key` what names it there.
+void reject_duplicates(const base::Table& root, const std::string& what, const std::vector<std::string>& names,
+                       const std::string& key = "name");
 
 }  // namespace vocalis::coupling

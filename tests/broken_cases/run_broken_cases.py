@@ -102,7 +102,7 @@ def run_checkpoints(program, ranks, folder):
     (folder / "letter/checkpoint.h5").write_text("This is a letter.")
     shutil.copytree(folder / "scene", folder / "other")
     shutil.copy(folder / "pulse/checkpoint.h5", folder / "other/checkpoint.h5")
-    for name, words in (("nowhere", ["nowhere"]), ("empty", ["empty"]), ("without", ["checkpoint"]),
+    for name, words in (("nowhere", ["nowhere", "run folder"]), ("empty", ["empty", "resolved.toml"]), ("without", ["checkpoint"]),
                         ("cut", ["checkpoint"]), ("letter", ["checkpoint"]), ("other", ["checkpoint"])):
         expect(program, f"resume of {name}", ranks, start(program, ranks, ["resume", folder / name], folder), words)
 

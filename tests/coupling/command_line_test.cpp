@@ -30,6 +30,9 @@ TEST_CASE("a command that cannot be understood is the user's mistake", "[serial]
                                                           {"run", "a", "--speed", "3"},
                                                           {"resume", "a", "--set", "b=1"}};
   for (const auto& mistake : mistakes) CHECK_THROWS_AS(parse_command(mistake), base::UserError);
+  CHECK_THROWS_WITH(parse_command({"chek", "a"}), Catch::Contains("did you mean \"check\""));
+  CHECK_THROWS_WITH(parse_command({"run", "a", "--steps", "ten"}), Catch::Contains("at least 1 is needed, not ten"));
+  CHECK(parse_command({"run", "a", "--steps", "10"}).steps == 10);
 }
 
 TEST_CASE("help is a command", "[serial]") {
