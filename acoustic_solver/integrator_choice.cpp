@@ -33,12 +33,12 @@ IntegratorChoice choose_integrator(const AcousticSettings& settings, int dimensi
                                    double stable_step) {
   if (settings.integrator != Integrator::automatic) return {settings.integrator, "as the case says"};
   if (settings.velocity_elements == VelocityElements::p1) return {Integrator::implicit, "velocities are in P1"};
-  if (settings.spectral_radius < 1) return {Integrator::implicit, "spectral_radius is below 1"};
   if (!settings.layers.empty()) return {Integrator::implicit, "it knows layers"};
   if (has_yielding_walls(settings)) return {Integrator::implicit, "it knows walls that yield"};
   // Loops over cells, several times for the terms with β, cost a multiple of sweeps over assembled rows.
   if (convection.mesh_moves) return {Integrator::implicit, "the mesh moves"};
   if (convection.medium_flows) return {Integrator::implicit, "the medium flows"};
+  if (settings.spectral_radius < 1) return {Integrator::implicit, "spectral_radius is below 1"};
   const int steps = count_sub_steps(dt, settings.step);
   const int parts = count_sub_steps(dt / steps, kPartOfStableStep * stable_step);
   if (parts == 0) return {Integrator::implicit, "a cell has closed"};
