@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <string>
 
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"

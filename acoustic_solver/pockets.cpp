@@ -1,7 +1,6 @@
 #include "acoustic_solver/pockets.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>

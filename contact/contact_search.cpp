@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "contact/closed_cells.hpp"
 #include "contact/crushed.hpp"
 #include "contact/pockets.hpp"
 #include "contact/slivers.hpp"
 #include "core/base/mpi.hpp"
-#include "core/mesh/facets.hpp"
 #include "core/mesh/geometry.hpp"
 
 namespace vocalis::contact {

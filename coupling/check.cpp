@@ -9,7 +9,6 @@
 #include "core/mesh/geometry.hpp"
 #include "coupling/balance.hpp"
 #include "coupling/simulation.hpp"
-#include "coupling/summary.hpp"
 
 namespace vocalis::coupling {
 

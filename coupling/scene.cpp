@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/io/gmsh_reader.hpp"
 #include "core/mesh/partition.hpp"

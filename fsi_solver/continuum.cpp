@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
 
 #include "core/base/case_table.hpp"
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
-#include "core/mesh/facets.hpp"
 #include "core/mesh/geometry.hpp"
 
 namespace vocalis::fsi {

@@ -11,7 +11,6 @@
 
 #include "core/base/error.hpp"
 #include "core/base/first_rank.hpp"
-#include "core/base/mpi.hpp"
 
 namespace vocalis::io {
 

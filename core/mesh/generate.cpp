@@ -1,7 +1,6 @@
 #include "core/mesh/generate.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/base/mpi.hpp"
 

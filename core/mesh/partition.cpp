@@ -3,7 +3,6 @@
 #include <metis.h>
 
 #include <algorithm>
-#include <cassert>
 #include <stdexcept>
 #include <unordered_map>
 

@@ -1,6 +1,5 @@
 #include "fsi_solver/cells/tractions.hpp"
 
-#include <algorithm>
 
 namespace vocalis::fsi {
 

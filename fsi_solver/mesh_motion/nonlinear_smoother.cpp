@@ -1,6 +1,5 @@
 #include "fsi_solver/mesh_motion/nonlinear_smoother.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "fsi_solver/solution/secants.hpp"
 
-#include <cmath>
 
 #include "core/base/mpi.hpp"
 

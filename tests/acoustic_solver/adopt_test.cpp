@@ -4,7 +4,6 @@
 
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "acoustic_solver/pockets.hpp"
-#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
 #include "tests/acoustic_solver/cavity.hpp"

@@ -5,7 +5,6 @@
 #include <functional>
 #include <numbers>
 
-#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "tests/acoustic_solver/balls.hpp"
 #include "tests/all_ranks.hpp"

@@ -1,10 +1,8 @@
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "acoustic_solver/wave_operator.hpp"
-#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"

@@ -1,6 +1,5 @@
 #include "acoustic_solver/microphones.hpp"
 
-#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
 #include "tests/all_ranks.hpp"

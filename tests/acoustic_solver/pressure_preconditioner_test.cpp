@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "acoustic_solver/acoustic_solver.hpp"
-#include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
 #include "tests/all_ranks.hpp"
 

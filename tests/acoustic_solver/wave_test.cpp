@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "core/base/error.hpp"

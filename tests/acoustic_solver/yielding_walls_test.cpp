@@ -6,7 +6,6 @@
 #include "acoustic_solver/wall_branches.hpp"
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
-#include "core/mesh/generate.hpp"
 #include "tests/acoustic_solver/cavity.hpp"
 #include "tests/all_ranks.hpp"
 

@@ -1,7 +1,6 @@
 #include "contact/contact_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/base/mpi.hpp"

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <random>
 
-#include "core/base/error.hpp"
 
 using namespace vocalis;
 using namespace vocalis::coupling;

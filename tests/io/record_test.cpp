@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <fstream>
-#include <numeric>
 
 #include "core/io/hdf5_handle.hpp"
 #include "core/io/match_points.hpp"

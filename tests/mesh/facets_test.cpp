@@ -1,6 +1,5 @@
 #include "core/mesh/facets.hpp"
 
-#include <map>
 
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"

@@ -1,7 +1,6 @@
 #include "core/mesh/mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "core/base/mpi.hpp"

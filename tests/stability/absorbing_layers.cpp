@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "acoustic_solver/acoustic_solver.hpp"
 #include "core/base/error.hpp"

@@ -1,6 +1,5 @@
 #include "transfer/strip.hpp"
 
-#include <string>
 
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "core/base/mpi.hpp"
 #include "tests/verification/acoustic_fields.hpp"

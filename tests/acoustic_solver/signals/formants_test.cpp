@@ -2,10 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
-#include "acoustic_solver/signals/spectrum.hpp"
 #include "acoustic_solver/sources/liljencrants_fant.hpp"
 #include "tests/acoustic_solver/signals/synthetic_vowel.hpp"
 

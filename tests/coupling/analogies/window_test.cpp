@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "core/base/mpi.hpp"
 #include "coupling/analogies/ape.hpp"

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <set>
 
-#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
 #include "core/mesh/partition.hpp"

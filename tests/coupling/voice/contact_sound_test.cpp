@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
-#include "core/mesh/facets.hpp"
 #include "coupling/voice/voice.hpp"
 #include "tests/all_ranks.hpp"
 #include "tests/coupling/small_scene.hpp"

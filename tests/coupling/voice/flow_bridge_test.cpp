@@ -1,6 +1,5 @@
 #include "coupling/voice/flow_bridge.hpp"
 
-#include <cmath>
 #include <numeric>
 
 #include "core/base/error.hpp"
