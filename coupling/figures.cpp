@@ -15,7 +15,7 @@
 #include "core/io/series_reader.hpp"
 #include "core/io/wav.hpp"
 #include "coupling/far_field/surface_series.hpp"
-#include "coupling/history_columns.hpp"
+#include "coupling/monitors/columns_in_history.hpp"
 #include "coupling/phonation/phonation.hpp"
 #include "coupling/sound/sound_comparison.hpp"
 #include "coupling/sound/spectra_file.hpp"

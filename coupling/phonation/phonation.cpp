@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/base/error.hpp"
-#include "coupling/history_columns.hpp"
+#include "coupling/monitors/columns_in_history.hpp"
 #include "coupling/phonation/cycle_figures.hpp"
 
 namespace vocalis::coupling {

@@ -1,4 +1,4 @@
-#include "coupling/history_columns.hpp"
+#include "coupling/monitors/columns_in_history.hpp"
 
 #include <algorithm>
 
