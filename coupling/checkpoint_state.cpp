@@ -1,11 +1,12 @@
 #include "coupling/checkpoint_state.hpp"
 
 #include <bit>
-#include <cstring>
+#include <deque>
 
 #include "core/base/error.hpp"
 #include "core/base/mpi.hpp"
 #include "core/io/checkpoint.hpp"
+#include "coupling/checkpoint_arrays.hpp"
 
 namespace vocalis::coupling {
 
@@ -29,47 +30,6 @@ std::vector<std::int64_t> fingerprints(const Scene& scene, Simulation& simulatio
   return result;
 }
 
-/// The arrays of the flow, by name.
-template <class State, class Function>
-void for_each_flow_array(State& state, const Function& function) {
-  function("flow.velocity", state.velocity.values);
-  function("flow.velocity_before", state.velocity_before.values);
-  function("flow.displacement", state.displacement.values);
-  function("flow.displacement_before", state.displacement_before.values);
-  function("flow.acceleration", state.acceleration.values);
-  function("flow.pressure", state.pressure.values);
-  function("flow.closing_points", state.closing_points);
-  function("flow.contact_normals", state.contact_normals);
-  function("flow.mesh_offset", state.mesh_offset);
-  function("flow.in_contact", state.in_contact);
-}
-
-/// Which cells are to be in contact in the next step, and what is remembered of them.
-template <class State, class Function>
-void for_each_contact_array(State& state, const Function& function) {
-  function("contact.closing_gap", state.closing_gap);
-  function("contact.opening_gap", state.opening_gap);
-  function("contact.normal", state.normal);
-  function("contact.in_contact", state.in_contact);
-}
-
-template <class Unknowns, class Function>
-void for_each_array_of_sound(Unknowns& unknowns, const std::string& name, const Function& function) {
-  function(name + ".p", unknowns.p);
-  function(name + ".psi", unknowns.psi);
-  function(name + ".layer_flux", unknowns.layer_flux);
-  function(name + ".layer_integral", unknowns.layer_integral);
-  function(name + ".wall_motion", unknowns.wall_motion);
-}
-
-template <class State, class Function>
-void for_each_acoustic_array(State& state, const std::string& name, const Function& function) {
-  for_each_array_of_sound(state, name, function);
-  for_each_array_of_sound(state.rates, name + ".rates", function);
-  for (std::size_t i = 0; i < state.earlier.size(); ++i)
-    function(name + ".earlier" + std::to_string(i), state.earlier[i]);
-}
-
 std::vector<double> numbers_of(const ContactReport& report) {
   return {report.searches,          report.closings,           report.closed_steps, report.repeated_steps,
           report.energy_lost,       report.most_closed,        report.seconds_open, report.seconds_closed,
@@ -81,50 +41,136 @@ ContactReport report_of(const std::vector<double>& numbers) {
           numbers[5], numbers[6], numbers[7], numbers[8], numbers[9]};
 }
 
-/// What far-field microphones of a voice are still to hear; the names end in the number of the surface.
-template <class State, class Function>
-void for_each_far_field_array(State& state, const std::string& name, const Function& function) {
-  function(name + ".clock", state.clock);
-  function(name + ".pressures", state.pressures);
-  function(name + ".sums", state.sums);
-}
-
-std::string far_field_name(std::size_t voice, std::size_t surface) {
-  return "acoustic" + std::to_string(voice) + ".far_field" + std::to_string(surface);
-}
-
-std::string memory_name(std::size_t voice, std::size_t index) {
-  return "acoustic" + std::to_string(voice) + ".memory" + std::to_string(index);
-}
-
-/// What microphones of surfaces are still to hear; the names end in the number of the microphone.
-template <class State, class Function>
-void for_each_surface_array(State&& state, const std::string& name, const Function& function) {
-  function(name + ".clock", state.clock);
-  function(name + ".emissions", state.emissions);
-  function(name + ".sums", state.sums);
-}
-
-std::string surface_name(std::size_t microphone) { return "surface_microphone" + std::to_string(microphone); }
-
 std::vector<double> on_rank_0(MPI_Comm comm, std::vector<double> values) {
   if (base::rank(comm) != 0) values.clear();
   return values;
 }
 
-/// Snapshots of the flow that derivatives over several steps still need, without the newest, which is the flow's state.
-template <class Snapshot, class Function>
-void for_each_snapshot_array(Snapshot& snapshot, const std::string& name, const Function& function) {
-  function(name + ".pressure", snapshot.pressure);
-  function(name + ".velocity", snapshot.velocity);
-  function(name + ".velocity_of_edges", snapshot.velocity_of_edges);
-  function(name + ".displacement", snapshot.displacement);
-  function(name + ".in_contact", snapshot.in_contact);
+/// What a checkpoint holds, array by array. All functions are collective.
+class Stored {
+ public:
+  Stored(MPI_Comm comm, const std::string& path) : comm_(comm), path_(path), reader_(comm, path) {}
+
+  /// Rank 0's numbers, on every rank.
+  std::vector<double> numbers(const std::string& name) const {
+    std::vector<double> values = reader_.doubles(name);
+    base::broadcast(comm_, values);
+    return values;
+  }
+  /// This rank's, of whatever size.
+  std::vector<double> doubles(const std::string& name) const { return reader_.doubles(name); }
+
+  /// This rank's, into an array that has its size. Throws UserError where that is another one.
+  template <class Array>
+  void operator()(const std::string& name, Array& values) const {
+    const std::vector<double> stored = reader_.doubles(name);
+    const bool fits = stored.size() == values.size();
+    if (base::smallest(comm_, static_cast<std::int32_t>(fits)) == 0) {
+      throw base::UserError("the checkpoint must fit the case: " + path_, name + " has another size",
+                            "the case has changed since: run it again");
+    }
+    values.assign(stored.begin(), stored.end());
+  }
+
+  void require_case(const std::string& name) const {
+    const std::string written = reader_.text("case");
+    if (written == name) return;
+    throw base::UserError("the checkpoint must be of this case: " + path_, "of the case \"" + written + "\"",
+                          "resume the folder of the run that wrote it");
+  }
+  void require_mesh(const std::vector<std::int64_t>& prints) const {
+    const bool same = reader_.integers("mesh") == prints;
+    if (base::smallest(comm_, static_cast<std::int32_t>(same)) == 1) return;
+    throw base::UserError("the checkpoint must be of this mesh: " + path_, "another mesh",
+                          "the geometry has changed since: run the case again");
+  }
+  void require_version(bool is_ours, const std::string& words) const {
+    if (is_ours) return;
+    throw base::UserError("the checkpoint must be of this version of Vocalis: " + path_, "another version's " + words,
+                          "run the case again");
+  }
+
+ private:
+  MPI_Comm comm_;
+  std::string path_;
+  io::CheckpointReader reader_;
+};
+
+CheckpointFacts load_clock(const Stored& stored, Simulation& simulation) {
+  const std::vector<double> times = stored.numbers("clock");
+  stored.require_version(times.size() == 9, "clock");
+  Clock clock = simulation.clock();
+  clock.time = times[0];
+  clock.step = static_cast<long>(times[1]);
+  clock.rejected = static_cast<long>(times[2]);
+  clock.halvings = static_cast<int>(times[3]);
+  clock.accepted_in_a_row = static_cast<int>(times[4]);
+  clock.steps_to_wait = static_cast<int>(times[5]);
+  clock.adaptive_step = times[6];
+  clock.last_error = times[7];
+  simulation.set_clock(clock);
+  return {times[8]};
 }
 
-std::string snapshot_name(std::size_t index) { return "history" + std::to_string(index); }
+void load_flow(const Stored& stored, Simulation& simulation) {
+  fsi::State state = simulation.flow()->state();
+  const std::vector<double> times = stored.numbers("flow.times");
+  state.time = times[0];
+  state.last_dt = times[1];
+  state.largest_speeds = {times[2], times[3]};
+  for_each_flow_array(state, stored);
+  simulation.flow()->set_state(state);
+  const std::vector<double> balance = stored.numbers("monitors.balance");
+  simulation.monitors()->set_balance({balance[0], balance[1], balance[2]});
+}
 
-std::string acoustic_name(std::size_t index) { return "acoustic" + std::to_string(index); }
+void load_contact(const Stored& stored, ContactFollower& contact) {
+  contact::ContactState state = contact.state();
+  for_each_contact_array(state, stored);
+  contact.set_state(state, report_of(stored.numbers("contact.report")));
+}
+
+void load_history(const Stored& stored, Simulation& simulation) {
+  const FlowSnapshot newest = simulation.flow_now();
+  std::deque<FlowSnapshot> snapshots;
+  for (const double time : stored.numbers("history.times")) {
+    FlowSnapshot& snapshot = snapshots.emplace_back(newest);
+    snapshot.time = time;
+    for_each_snapshot_array(snapshot, snapshot_name(snapshots.size() - 1), stored);
+  }
+  snapshots.push_back(newest);
+  simulation.history()->set_snapshots(std::move(snapshots));
+  simulation.follow_contact();  // voices' arrays lie on the air of now
+}
+
+void load_voice(const Stored& stored, std::size_t number, Voice& voice) {
+  acoustic::State state = voice.solver().state();
+  const std::vector<double> times = stored.numbers(acoustic_name(number) + ".times");
+  stored.require_version(times.size() == 5, "sound");
+  state.time = times[0];
+  state.has_rates = times[4] != 0;
+  if (state.has_rates) state.rates = state;  // for its sizes
+  voice.set_rebuilds({static_cast<long>(times[2]), times[3]});
+  state.earlier.assign(static_cast<std::size_t>(times[1]), std::vector<double>(state.p.size()));
+  for_each_acoustic_array(state, acoustic_name(number), stored);
+  voice.solver().set_state(std::move(state));
+  const auto memory = voice.analogy().memory();
+  for (std::size_t m = 0; m < memory.size(); ++m) *memory[m] = stored.doubles(memory_name(number, m));
+  auto& far_fields = voice.microphones().far_fields();
+  for (std::size_t f = 0; f < far_fields.size(); ++f) {
+    acoustic::FarField::State waiting = far_fields[f].state();
+    for_each_far_field_array(waiting, far_field_name(number, f), stored);
+    far_fields[f].set_state(std::move(waiting));
+  }
+}
+
+void load_surfaces(const Stored& stored, SurfaceMicrophones& surfaces) {
+  for (std::size_t m = 0; m < surfaces.microphones().size(); ++m) {
+    SurfaceMicrophone::State state = surfaces.microphones()[m].state();
+    for_each_surface_array(state, surface_name(m), stored);
+    surfaces.microphones()[m].set_state(std::move(state));
+  }
+}
 
 }  // namespace
 
@@ -187,105 +233,17 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
 }
 
 CheckpointFacts load_checkpoint(const std::string& path, const Case& config, Scene& scene, Simulation& simulation) {
-  const MPI_Comm comm = scene.parent.comm;
-  const io::CheckpointReader reader(comm, path);
-  if (const std::string name = reader.text("case"); name != config.name) {
-    throw base::UserError("the checkpoint must be of this case: " + path, "of the case \"" + name + "\"",
-                          "resume the folder of the run that wrote it");
-  }
-  const bool same = reader.integers("mesh") == fingerprints(scene, simulation);
-  if (base::smallest(comm, static_cast<std::int32_t>(same)) == 0) {
-    throw base::UserError("the checkpoint must be of this mesh: " + path, "another mesh",
-                          "the geometry has changed since: run the case again");
-  }
-  const auto numbers = [&](const std::string& name) {
-    std::vector<double> values = reader.doubles(name);
-    base::broadcast(comm, values);
-    return values;
-  };
-  const auto read = [&](const std::string& name, auto& values) {
-    const std::vector<double> stored = reader.doubles(name);
-    const bool fits = stored.size() == values.size();
-    if (base::smallest(comm, static_cast<std::int32_t>(fits)) == 0) {
-      throw base::UserError("the checkpoint must fit the case: " + path, name + " has another size",
-                            "the case has changed since: run it again");
-    }
-    values.assign(stored.begin(), stored.end());
-  };
-  const std::vector<double> times = numbers("clock");
-  const auto require_version = [&path](bool is_ours, const std::string& words) {
-    if (is_ours) return;
-    throw base::UserError("the checkpoint must be of this version of Vocalis: " + path, "another version's " + words,
-                          "run the case again");
-  };
-  require_version(times.size() == 9, "clock");
-  Clock clock = simulation.clock();
-  clock.time = times[0];
-  clock.step = static_cast<long>(times[1]);
-  clock.rejected = static_cast<long>(times[2]);
-  clock.halvings = static_cast<int>(times[3]);
-  clock.accepted_in_a_row = static_cast<int>(times[4]);
-  clock.steps_to_wait = static_cast<int>(times[5]);
-  clock.adaptive_step = times[6];
-  clock.last_error = times[7];
-  simulation.set_clock(clock);
-  if (simulation.flow()) {
-    fsi::State state = simulation.flow()->state();
-    const std::vector<double> flow_times = numbers("flow.times");
-    state.time = flow_times[0];
-    state.last_dt = flow_times[1];
-    state.largest_speeds = {flow_times[2], flow_times[3]};
-    for_each_flow_array(state, read);
-    simulation.flow()->set_state(state);
-    const std::vector<double> balance = numbers("monitors.balance");
-    simulation.monitors()->set_balance({balance[0], balance[1], balance[2]});
-  }
-  if (ContactFollower* contact = simulation.contact()) {
-    contact::ContactState state = contact->state();
-    for_each_contact_array(state, read);
-    contact->set_state(state, report_of(numbers("contact.report")));
-  }
-  if (simulation.history()) {
-    const FlowSnapshot newest = simulation.flow_now();
-    std::deque<FlowSnapshot> snapshots;
-    for (const double time : numbers("history.times")) {
-      FlowSnapshot& snapshot = snapshots.emplace_back(newest);
-      snapshot.time = time;
-      for_each_snapshot_array(snapshot, snapshot_name(snapshots.size() - 1), read);
-    }
-    snapshots.push_back(newest);
-    simulation.history()->set_snapshots(std::move(snapshots));
-    simulation.follow_contact();  // voices' arrays lie on the air of now
-  }
-  for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
-    acoustic::State state = simulation.voices()[i]->solver().state();
-    const std::vector<double> acoustic_times = numbers(acoustic_name(i) + ".times");
-    require_version(acoustic_times.size() == 5, "sound");
-    state.time = acoustic_times[0];
-    state.has_rates = acoustic_times[4] != 0;
-    if (state.has_rates) state.rates = state;  // for its sizes
-    simulation.voices()[i]->set_rebuilds({static_cast<long>(acoustic_times[2]), acoustic_times[3]});
-    state.earlier.assign(static_cast<std::size_t>(acoustic_times[1]), std::vector<double>(state.p.size()));
-    for_each_acoustic_array(state, acoustic_name(i), read);
-    simulation.voices()[i]->solver().set_state(std::move(state));
-    const auto memory = simulation.voices()[i]->analogy().memory();
-    for (std::size_t m = 0; m < memory.size(); ++m) *memory[m] = reader.doubles(memory_name(i, m));
-    auto& far_fields = simulation.voices()[i]->microphones().far_fields();
-    for (std::size_t f = 0; f < far_fields.size(); ++f) {
-      acoustic::FarField::State waiting = far_fields[f].state();
-      for_each_far_field_array(waiting, far_field_name(i, f), read);
-      far_fields[f].set_state(std::move(waiting));
-    }
-  }
-  if (SurfaceMicrophones* surfaces = simulation.surface_microphones()) {
-    for (std::size_t m = 0; m < surfaces->microphones().size(); ++m) {
-      SurfaceMicrophone::State state = surfaces->microphones()[m].state();
-      for_each_surface_array(state, surface_name(m), read);
-      surfaces->microphones()[m].set_state(std::move(state));
-    }
-  }
+  const Stored stored(scene.parent.comm, path);
+  stored.require_case(config.name);
+  stored.require_mesh(fingerprints(scene, simulation));
+  const CheckpointFacts facts = load_clock(stored, simulation);
+  if (simulation.flow()) load_flow(stored, simulation);
+  if (ContactFollower* contact = simulation.contact()) load_contact(stored, *contact);
+  if (simulation.history()) load_history(stored, simulation);
+  for (std::size_t i = 0; i < simulation.voices().size(); ++i) load_voice(stored, i, *simulation.voices()[i]);
+  if (SurfaceMicrophones* surfaces = simulation.surface_microphones()) load_surfaces(stored, *surfaces);
   simulation.restart_from_states();
-  return {times[8]};
+  return facts;
 }
 
 }  // namespace vocalis::coupling

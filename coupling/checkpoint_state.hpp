@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "core/base/timers.hpp"
 #include "coupling/simulation.hpp"
 
 namespace vocalis::coupling {
