@@ -1,6 +1,5 @@
 #include "coupling/run.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,8 +9,8 @@
 #include "core/base/log.hpp"
 #include "core/base/mpi.hpp"
 #include "core/base/stopwatch.hpp"
-#include "coupling/balance.hpp"
 #include "coupling/checkpoint_state.hpp"
+#include "coupling/run_facts.hpp"
 #include "coupling/run_folder.hpp"
 #include "coupling/run_output.hpp"
 #include "coupling/sound/sound_comparison.hpp"
@@ -26,90 +25,6 @@ constexpr int finished_code = 0, failed_code = 3;
 
 std::string checkpoint_path(const std::string& folder) {
   return (std::filesystem::path(folder) / "checkpoint.h5").string();
-}
-
-RunFacts facts_of_scene(const Case& config, const Scene& scene, const Simulation& simulation) {
-  RunFacts facts;
-  facts.ranks = base::size(scene.parent.comm);
-  facts.dimension = scene.parent.dimension;
-  facts.cells["parent"] = scene.parent.cells.num_global;
-  if (scene.flow) {
-    facts.cells["flow"] = scene.flow->mesh.cells.num_global;
-    facts.imbalance["flow"] = balance(scene.flow->mesh).imbalance();
-    if (simulation.flow()) facts.unknowns["flow"] = simulation.flow()->num_unknowns();
-  }
-  if (scene.acoustic) {
-    facts.cells["acoustic"] = scene.acoustic->mesh.cells.num_global;
-    facts.imbalance["acoustic"] = balance(scene.acoustic->mesh).imbalance();
-    facts.unknowns["acoustic"] = 2 * scene.acoustic->mesh.vertices.num_global;
-  }
-  for (std::size_t i = 0; i < simulation.voices().size(); ++i) {
-    const Voice& voice = *simulation.voices()[i];
-    if (!voice.has_own_mesh()) continue;
-    const std::string name = "acoustic." + config.acoustics[i].name;
-    facts.cells[name] = voice.mesh().cells.num_global;
-    facts.unknowns[name] = 2 * voice.mesh().vertices.num_global;
-    facts.imbalance[name] = balance(voice.mesh()).imbalance();
-  }
-  return facts;
-}
-
-/// The flow's phases side by side: its whole step holds the assembly, which holds the motion of the mesh; what is left
-/// of the step is the solution.
-std::vector<base::Timers::Phase> flow_phases(std::vector<base::Timers::Phase> phases) {
-  base::Timers::Phase assembly, motion;
-  for (const auto& phase : phases) {
-    if (phase.name == "mesh_motion") motion = phase;
-    if (phase.name == "flow.assemble") assembly = phase;
-  }
-  const auto take_away = [](base::Timers::Phase& phase, const base::Timers::Phase& part) {
-    phase.seconds -= part.seconds;
-    phase.traffic -= part.traffic;
-  };
-  for (auto& phase : phases) {
-    if (phase.name == "flow.assemble") take_away(phase, motion);
-    if (phase.name != "flow.newton") continue;
-    phase.name = "flow.solve";
-    take_away(phase, assembly);
-  }
-  return phases;
-}
-
-/// Phases of the same name become one.
-void add_phases(const std::vector<base::Timers::Phase>& more, std::vector<base::Timers::Phase>& phases) {
-  for (const auto& phase : more) {
-    const auto same = std::find_if(phases.begin(), phases.end(), [&](const auto& p) { return p.name == phase.name; });
-    if (same == phases.end()) {
-      phases.push_back(phase);
-    } else {
-      same->seconds += phase.seconds;
-      same->calls += phase.calls;
-      same->traffic += phase.traffic;
-    }
-  }
-}
-
-std::map<std::string, double> figures_of(const ContactReport& report) {
-  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
-  return {{"searches", report.searches},
-          {"closings", report.closings},
-          {"closed_steps", report.closed_steps},
-          {"repeated_steps", report.repeated_steps},
-          {"energy_lost_J", report.energy_lost},
-          {"most_closed_cells", report.most_closed},
-          {"share_of_open_steps", share(report.seconds_open, report.step_seconds_open)},
-          {"share_of_closed_steps", share(report.seconds_closed, report.step_seconds_closed)}};
-}
-
-/// What stripping the air anew did to the sound of each voice.
-void add_rebuilds(const Case& config, Simulation& simulation, Figures& figures) {
-  for (std::size_t i = 0; i < config.acoustics.size(); ++i) {
-    if (config.acoustics[i].contact_cells == acoustic::ContactCells::keep) continue;
-    const std::string suffix = config.acoustics.size() > 1 ? "." + config.acoustics[i].name : "";
-    const Rebuilds& rebuilds = simulation.voices()[i]->rebuilds();
-    figures.values["acoustic_rebuilds" + suffix] = static_cast<double>(rebuilds.count);
-    figures.values["acoustic_energy_lost_J" + suffix] = rebuilds.energy_lost;
-  }
 }
 
 /// One run from its present state to the end of the case or of its budget of steps.
@@ -167,15 +82,6 @@ class Run {
     simulation_->drop_caches();
   }
 
-  /// Of all parts, on this rank.
-  std::vector<base::Timers::Phase> phases() const {
-    std::vector<base::Timers::Phase> result;
-    if (const fsi::FsiSolver* flow = simulation_->flow()) result = flow_phases(flow->timers().phases());
-    add_phases(timers_.phases(), result);
-    for (const auto& voice : simulation_->voices()) add_phases(voice->timers().phases(), result);
-    return result;
-  }
-
   double wall_seconds() const { return facts_before_.wall_seconds + watch_.seconds(); }
 
   int end(const std::string& status, const std::string& reason, int code) {
@@ -188,7 +94,7 @@ class Run {
     facts_.rejected_steps = clock.rejected;
     facts_.simulated_seconds = clock.time;
     facts_.wall_seconds = wall_seconds();
-    facts_.phases = base::largest_over_ranks(comm_, phases());
+    facts_.phases = base::largest_over_ranks(comm_, phases_of(*simulation_, timers_));
     if (const ContactFollower* contact = simulation_->contact()) facts_.contact = figures_of(contact->report());
     facts_.traffic = base::largest(comm_, facts_.traffic);
     facts_.peak_memory_bytes = base::sum(comm_, peak_memory_bytes());
