@@ -4,6 +4,7 @@
 
 #include "core/base/mpi.hpp"
 #include "core/fem/simplex.hpp"
+#include "fsi_solver/mesh_motion/mesh_matrix.hpp"
 #include "fsi_solver/solution/direct_solver.hpp"
 
 namespace vocalis::fsi {
@@ -54,24 +55,12 @@ std::vector<double> cell_matrices(const Continuum& continuum, double stiffening)
 }  // namespace
 
 MeshMotion::MeshMotion(const Continuum& continuum, const Conditions& conditions, double stiffening)
-    : continuum_(continuum), layout_(continuum.mesh->comm, {{&continuum.mesh->vertices, continuum.mesh->dimension}}) {
+    : continuum_(continuum),
+      layout_(continuum.mesh->comm, {{&continuum.mesh->vertices, continuum.mesh->dimension}}),
+      constrained_(constrained_places(continuum, conditions)) {
   const mesh::Mesh& mesh = *continuum.mesh;
   const int d = mesh.dimension;
-  constrained_.assign(static_cast<std::size_t>(mesh.vertices.num_owned) * d, 0);
-  std::vector<PetscInt> constrained;
-  for (std::size_t i = 0; i < constrained_.size(); ++i) {
-    const std::size_t vertex = i / d;
-    constrained_[i] = continuum.vertex_solid[vertex] >= 0 || conditions.mesh_is_held[i];
-    if (constrained_[i]) constrained.push_back(static_cast<PetscInt>(i));
-  }
-  std::vector<PetscInt> rows;
-  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
-    for (const std::int32_t vertex : mesh.vertices_of(cell)) {
-      for (int k = 0; k < d; ++k) rows.push_back(continuum.cell_solid[cell] < 0 ? layout_.global(0, vertex, k) : -1);
-    }
-  }
-  // Columns of constrained unknowns stay: a right hand side that holds their values is then all that a solve needs.
-  matrix_ = std::make_unique<la::AssembledMatrix>(layout_, rows, d * (d + 1), constrained);
+  matrix_ = make_mesh_matrix(continuum, layout_, constrained_);
   matrix_->assemble(d == 2 ? cell_matrices<2>(continuum, stiffening) : cell_matrices<3>(continuum, stiffening));
   solver_ = create_repeatable_solver(matrix_->get(), "mesh_motion_", Reuse::many_solves);
   base::check(KSPSetOperators(solver_.get(), matrix_->get(), matrix_->get()));

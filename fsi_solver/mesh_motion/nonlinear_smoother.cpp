@@ -6,6 +6,7 @@
 
 #include "core/base/mpi.hpp"
 #include "core/la/solve.hpp"
+#include "fsi_solver/mesh_motion/mesh_matrix.hpp"
 #include "fsi_solver/solution/direct_solver.hpp"
 
 namespace vocalis::fsi {
@@ -38,23 +39,10 @@ bool is_slow(double rate, double size) {
 NonlinearSmoother::NonlinearSmoother(const Continuum& continuum, const Conditions& conditions, double stiffening)
     : continuum_(continuum),
       energy_(continuum, stiffening),
-      layout_(continuum.mesh->comm, {{&continuum.mesh->vertices, continuum.mesh->dimension}}) {
+      layout_(continuum.mesh->comm, {{&continuum.mesh->vertices, continuum.mesh->dimension}}),
+      constrained_(constrained_places(continuum, conditions)) {
   const mesh::Mesh& mesh = *continuum.mesh;
-  const int d = mesh.dimension;
-  constrained_.assign(static_cast<std::size_t>(mesh.vertices.num_owned) * d, 0);
-  std::vector<PetscInt> constrained;
-  for (std::size_t i = 0; i < constrained_.size(); ++i) {
-    constrained_[i] = continuum.vertex_solid[i / d] >= 0 || conditions.mesh_is_held[i];
-    if (constrained_[i]) constrained.push_back(static_cast<PetscInt>(i));
-  }
-  std::vector<PetscInt> rows;
-  for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
-    for (const std::int32_t vertex : mesh.vertices_of(cell)) {
-      for (int k = 0; k < d; ++k) rows.push_back(continuum.cell_solid[cell] < 0 ? layout_.global(0, vertex, k) : -1);
-    }
-  }
-  // Columns of constrained unknowns stay: a right hand side that holds their steps is then all that a solve needs.
-  matrix_ = std::make_unique<la::AssembledMatrix>(layout_, rows, d * (d + 1), constrained);
+  matrix_ = make_mesh_matrix(continuum, layout_, constrained_);
   solver_ = create_repeatable_solver(matrix_->get(), "mesh_smoother_", Reuse::many_solves);
   right_hand_side_ = la::create_vector(mesh.comm, layout_.num_owned());
   solution_ = la::create_vector(mesh.comm, layout_.num_owned());

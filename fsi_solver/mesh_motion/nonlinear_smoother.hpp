@@ -38,9 +38,10 @@ class NonlinearSmoother {
   NonlinearSmoother(const Continuum& continuum, const Conditions& conditions, double stiffening);
 
   /// displacement  of the vertices: where solids are given (owned ones suffice), elsewhere found; ghosts current on
-  /// exit start         a displacement of all vertices to begin from, best the last one found; if a cell is inverted
-  /// there,
+  ///               exit
+  /// start         a displacement of all vertices to begin from, best the last one found; if a cell is inverted there,
   ///               the search begins from the reference
+  ///
   /// If the search fails, the fluid's vertices are where it stopped. Collective.
   SmootherReport extend(fem::Field& displacement, const fem::Field& start);
 
