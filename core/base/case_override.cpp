@@ -41,6 +41,10 @@ TomlNode parse_value(const std::string& text, const std::string& place) {
     TomlNode tree = parse_toml("value = " + text, place);
     if (tree.children.size() == 1) value = tree.children.front();
   } catch (const UserError&) {
+    if (text.starts_with('[')) {
+      throw UserError(place + ": a list must be valid TOML", text,
+                      "quote its texts, and all of it for the shell: --set 'KEY=[\"a\", \"b\"]'");
+    }
     value.key.clear();
   }
   if (value.key.empty()) {  // not TOML: a bare word

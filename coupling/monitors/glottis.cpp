@@ -54,8 +54,10 @@ std::vector<mesh::NamedFacet> facets_of_fold(const mesh::Mesh& mesh, const std::
   std::vector<mesh::NamedFacet> facets = mesh::facets_of_group(mesh, group);
   std::erase_if(facets, [&](const mesh::NamedFacet& facet) { return !cell_is_fluid[facet.cell]; });
   if (base::sum(mesh.comm, static_cast<std::int64_t>(facets.size())) > 0) return facets;
-  throw UserError("monitor \"" + monitor + "\" needs a group of facets that the fluid touches", "\"" + group + "\"",
-                  base::did_you_mean(group, mesh.group_names));
+  throw UserError("monitor \"" + monitor + "\" needs a group of facets that the fluid touches",
+                  "\"" + group + "\", which has none there",
+                  mesh::index_of(mesh.group_names, group) < 0 ? base::did_you_mean(group, mesh.group_names)
+                                                              : "name the surface that the fold turns to the air");
 }
 
 /// Where both extents are, or the one.

@@ -103,8 +103,10 @@ void Monitors::find_facets(Bound& bound) const {
   bound.facets = fem::facets_seen_once(mesh, bound.settings.group);
   if (base::sum(mesh.comm, static_cast<std::int64_t>(bound.facets.size())) > 0) return;
   throw UserError("monitor \"" + bound.settings.name + "\" needs a group of facets on the flow mesh",
-                  "group = \"" + bound.settings.group + "\"",
-                  base::did_you_mean(bound.settings.group, mesh.group_names));
+                  "\"" + bound.settings.group + "\", which has none there",
+                  mesh::index_of(mesh.group_names, bound.settings.group) < 0
+                      ? base::did_you_mean(bound.settings.group, mesh.group_names)
+                      : "name a group that fluid or solid touches");
 }
 
 Probe Monitors::find(const MonitorSettings& monitor, const fem::Point& position, bool in_fluid) const {

@@ -63,6 +63,20 @@ AnalogyMedium medium_of(const Scene& scene, const Case& config, const acoustic::
   return {settings.density, settings.speed_of_sound, source_window(scene, settings.analogy), kinematic_viscosity};
 }
 
+/// A boundary that lies elsewhere would have no effect. Collective.
+void require_boundaries(const mesh::Mesh& air, const acoustic::AcousticSettings& settings) {
+  for (const acoustic::AcousticBoundary& boundary : settings.boundaries) {
+    std::int64_t count = 0;
+    for (const mesh::NamedFacet& facet : mesh::facets_of_group(air, boundary.group)) {
+      count += air.cell_neighbours[static_cast<std::size_t>(facet.cell) * (air.dimension + 1) + facet.index] < 0;
+    }
+    if (base::sum(air.comm, count) > 0) continue;
+    throw base::UserError("a boundary of [[acoustic]] \"" + settings.name + "\" must lie where its air ends",
+                          "\"" + boundary.group + "\", which has no facet there",
+                          "name another group, or leave this boundary out");
+  }
+}
+
 /// Histories of p_a alone can be carried over to a mesh with other cells.
 void require_rebuildable(const acoustic::AcousticSettings& settings, Unknown unknown) {
   if (settings.contact_cells == acoustic::ContactCells::keep || unknown == Unknown::acoustic_pressure) return;
@@ -90,6 +104,7 @@ Voice::Voice(Scene& scene, const Case& config, const acoustic::AcousticSettings&
                      : acoustic::AcousticSolver(air_->mesh(), settings)),
       microphones_(air_->mesh(), config.microphones, far_field(air_->mesh(), config, settings, air_->cell_has_flow)) {
   require_rebuildable(settings, analogy_->unknown());
+  require_boundaries(air_->mesh(), settings);
   microphones_.require_inside();
   require_undamped(air_->mesh(), settings_, microphones_);
 }
