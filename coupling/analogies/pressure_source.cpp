@@ -1,6 +1,5 @@
 #include "coupling/analogies/pressure_source.hpp"
 
-
 #include "core/fem/simplex.hpp"
 #include "core/mesh/geometry.hpp"
 #include "coupling/analogies/flow_cell.hpp"
