@@ -91,11 +91,12 @@ AcousticSolver& AcousticSolver::operator=(AcousticSolver&&) noexcept = default;
 void AcousticSolver::set_state(State state) {
   assert(state.p.size() == state_.p.size() && state.psi.size() == state_.psi.size());
   state_ = std::move(state);
-  for (Unknowns* unknowns : {static_cast<Unknowns*>(&state_), &state_.rates}) {
-    if (unknowns == &state_.rates && !state_.has_rates) continue;
-    discretisation_->layers.prepare(*unknowns);
-    discretisation_->walls.prepare(*unknowns);
-  }
+  const auto prepare = [this](Unknowns& unknowns) {
+    discretisation_->layers.prepare(unknowns);
+    discretisation_->walls.prepare(unknowns);
+  };
+  prepare(state_);
+  if (state_.has_rates) prepare(state_.rates);
   drop_caches();
 }
 

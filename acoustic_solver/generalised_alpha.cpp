@@ -14,17 +14,18 @@ constexpr std::vector<double> Unknowns::*kAll[] = {&Unknowns::p, &Unknowns::psi,
 GeneralisedAlpha::GeneralisedAlpha(double spectral_radius)
     : rate_weight_(0.5 * (3 - spectral_radius) / (1 + spectral_radius)),
       flow_weight_(1 / (1 + spectral_radius)),
-      rate_part_(0.5 + rate_weight_ - flow_weight_) {}
+      rate_part_(0.5 + rate_weight_ - flow_weight_),
+      rate_change_(1 / rate_part_) {}
 
 GeneralisedAlpha GeneralisedAlpha::start() {
   GeneralisedAlpha result(1);
-  result.is_start_ = true;
+  result.rate_change_ = 1;
   return result;
 }
 
 Unknowns GeneralisedAlpha::shifted(const State& state, double dt) const {
   Unknowns result = state;
-  if (!state.has_rates || is_start_) return result;
+  if (!state.has_rates) return result;
   const double length = (rate_weight_ / rate_part_ - 1) * part() * dt;
   for (const auto which : kAll) {
     const std::vector<double>& rates = state.rates.*which;
@@ -44,11 +45,10 @@ void GeneralisedAlpha::finish(const Unknowns& stage, double dt, bool keeps_rates
     std::vector<double>& rates = state.rates.*which;
     if (keeps_rates) rates.resize(values.size(), 0.0);
     // The mean rate over the step is ẏ_n + γ (ẏ_n+1 - ẏ_n).
-    const double fraction = is_start_ ? 1 : 1 / rate_part_;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double change = (reached[i] - values[i]) / flow_weight_;
       values[i] += change;
-      if (keeps_rates) rates[i] += fraction * (change / dt - rates[i]);
+      if (keeps_rates) rates[i] += rate_change_ * (change / dt - rates[i]);
     }
   }
 }

@@ -35,7 +35,7 @@ class GeneralisedAlpha {
 
  private:
   double rate_weight_, flow_weight_, rate_part_;  ///< α_m, α_f, γ
-  bool is_start_ = false;
+  double rate_change_;                            ///< of ẏ, over that of the step's mean rate from it: 1 / γ
 };
 
 }  // namespace vocalis::acoustic

@@ -1,6 +1,5 @@
 #include "fsi_solver/cells/tractions.hpp"
 
-
 namespace vocalis::fsi {
 
 Traction traction_of(const FlowBoundary& boundary, const FlowSettings& settings, double time) {

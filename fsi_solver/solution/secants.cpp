@@ -1,6 +1,5 @@
 #include "fsi_solver/solution/secants.hpp"
 
-
 #include "core/base/mpi.hpp"
 
 namespace vocalis::fsi {

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <random>
 
-
 using namespace vocalis;
 using namespace vocalis::coupling;
 

@@ -1,6 +1,5 @@
 #include "core/io/gmsh_reader.hpp"
 
-
 #include "core/io/geo_parameters.hpp"
 #include "core/mesh/facets.hpp"
 #include "core/mesh/geometry.hpp"

@@ -1,6 +1,5 @@
 #include "core/mesh/facets.hpp"
 
-
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
 #include "core/mesh/geometry.hpp"

@@ -1,6 +1,5 @@
 #include "transfer/strip.hpp"
 
-
 #include "core/base/mpi.hpp"
 #include "core/mesh/generate.hpp"
 #include "tests/all_ranks.hpp"

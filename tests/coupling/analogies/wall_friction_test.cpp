@@ -1,6 +1,5 @@
 #include "coupling/analogies/wall_friction.hpp"
 
-
 #include "core/base/mpi.hpp"
 #include "coupling/analogies/flow_cell.hpp"
 #include "coupling/analogies/lighthill.hpp"
