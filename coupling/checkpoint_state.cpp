@@ -120,8 +120,9 @@ void load_flow(const Stored& stored, Simulation& simulation) {
   state.largest_speeds = {times[2], times[3]};
   for_each_flow_array(state, stored);
   simulation.flow()->set_state(state);
-  const std::vector<double> balance = stored.numbers("monitors.balance");
-  simulation.monitors()->set_balance({balance[0], balance[1], balance[2]});
+  const std::vector<double> balance = stored.numbers("monitors.energy_balance");
+  const fsi::KeptEnergy kept = {balance[0], balance[1], balance[2], balance[3]};
+  simulation.monitors()->set_balance({kept, balance[4], balance[5], balance[6]});
 }
 
 void load_contact(const Stored& stored, ContactFollower& contact) {
@@ -194,8 +195,9 @@ void save_checkpoint(const std::string& path, const Case& config, const Scene& s
     const fsi::State& state = simulation.flow()->state();
     add("flow.times", on_rank_0(comm, {state.time, state.last_dt, state.largest_speeds[0], state.largest_speeds[1]}));
     for_each_flow_array(state, add);
-    const EnergyBalance& balance = simulation.monitors()->balance();
-    add("monitors.balance", on_rank_0(comm, {balance.time, balance.power, balance.work}));
+    const fsi::EnergyBalance& balance = simulation.monitors()->balance();
+    add("monitors.energy_balance", on_rank_0(comm, {balance.kept.now, balance.kept.slope, balance.kept.curve,
+                                                    balance.kept.share, balance.power, balance.dt, balance.work}));
   }
   if (simulation.history()) {
     const auto& snapshots = simulation.history()->snapshots();

@@ -21,6 +21,7 @@ struct Stage {
   double rate = 0;         ///< [1/s]
   double rate_now = 0;     ///< [1/s]
   double rate_before = 0;  ///< [1/s]
+  double ahead = 0;        ///< [dt] how far beyond t + dt is what the scheme keeps, see `EnergyRates`
 
   double at_stage(double end, double now) const { return weight * end + (1 - weight) * now; }
   double rate_of(double end, double now, double before) const {
@@ -29,6 +30,8 @@ struct Stage {
   double end_displacement(double stage_velocity, double now, double before) const {
     return (stage_velocity - rate_now * now - rate_before * before) / rate;
   }
+  /// Whether it knows of the step before.
+  bool remembers() const { return rate_before != 0; }
   /// Derivatives with respect to v⁺ of v_s and of the moving material's d_s.
   double velocity_slope() const { return weight; }
   double displacement_slope() const { return weight * weight / rate; }
@@ -45,7 +48,10 @@ inline Stage make_stage(const TimeSettings& settings, double dt, double last_dt)
     stage.weight = settings.theta;
     stage.rate = 1 / dt;
     stage.rate_now = -1 / dt;
-  } else if (last_dt <= 0) {
+    return stage;
+  }
+  stage.ahead = 0.5;
+  if (last_dt <= 0) {
     stage.rate = 1 / dt;
     stage.rate_now = -1 / dt;
   } else {

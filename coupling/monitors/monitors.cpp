@@ -132,8 +132,7 @@ std::vector<double> Monitors::force(const Bound& monitor) const {
 void Monitors::follow_step() {
   if (!open_) return;
   rates_ = fsi::energy(*flow_, *open_);
-  const fsi::Stage& stage = flow_->assembly().fields().stage();
-  balance_.advance(flow_->time() - (1 - stage.weight) * stage.dt, rates_.supplied - rates_.dissipated);
+  balance_.advance(flow_->assembly().fields().stage(), rates_);
 }
 
 std::vector<double> Monitors::evaluate() const {
@@ -170,8 +169,7 @@ std::vector<double> Monitors::evaluate() const {
         append(force(monitor));
         break;
       case MonitorKind::energy:
-        append({rates_.kinetic, rates_.elastic, rates_.supplied, rates_.dissipated,
-                rates_.kinetic + rates_.elastic - balance_.work});
+        append({rates_.kinetic, rates_.elastic, rates_.supplied, rates_.dissipated, balance_.left()});
         break;
     }
   }

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "coupling/monitors/energy_balance.hpp"
 #include "coupling/monitors/glottis.hpp"
 #include "coupling/monitors/monitor_settings.hpp"
 #include "coupling/monitors/probe.hpp"
 #include "fsi_solver/fsi_solver.hpp"
 #include "fsi_solver/measures/body.hpp"
 #include "fsi_solver/measures/energy.hpp"
+#include "fsi_solver/measures/energy_balance.hpp"
 
 namespace vocalis::coupling {
 
@@ -35,8 +35,8 @@ class Monitors {
   GlottalOpening opening(const Glottis& glottis) const;
 
   /// What monitors remember from step to step, for checkpoints.
-  const EnergyBalance& balance() const { return balance_; }
-  void set_balance(const EnergyBalance& balance) { balance_ = balance; }
+  const fsi::EnergyBalance& balance() const { return balance_; }
+  void set_balance(const fsi::EnergyBalance& balance) { balance_ = balance; }
 
  private:
   struct Bound {
@@ -55,7 +55,7 @@ class Monitors {
   std::vector<std::int32_t> cell_is_fluid_;  ///< of local cells, ghosts too
   std::optional<fsi::OpenFacets> open_;      ///< only where an energy is watched, and so are ...
   fsi::EnergyRates rates_;
-  EnergyBalance balance_;
+  fsi::EnergyBalance balance_;
   std::vector<Bound> monitors_;
   std::vector<std::string> columns_;
 };

@@ -24,6 +24,13 @@ Lanes square(const std::array<Lanes, D>& v) {
 }
 
 template <int D, int Degree>
+Matrix<D, Lanes> deformation(const CellInput<D, Degree>& in, const PointGeometry<D, Degree>& geometry) {
+  Matrix<D, Lanes> f = gradient_of<D, Element<D, Degree>::nodes>(in.displacement, geometry.gradient);
+  for (int i = 0; i < D; ++i) f[i][i] += 1.0;
+  return f;
+}
+
+template <int D, int Degree>
 BatchEnergy cell_energy(const CellInput<D, Degree>& in, double viscosity, const Elasticity* solid,
                         const std::array<double, 3>& gravity) {
   using E = Element<D, Degree>;
@@ -39,14 +46,52 @@ BatchEnergy cell_energy(const CellInput<D, Degree>& in, double viscosity, const 
       result.dissipated += viscosity * weight * (contraction<D>(l, l) + contraction<D>(l, transposed<D>(l)));
       continue;
     }
-    Matrix<D, Lanes> f = gradient_of<D, E::nodes>(in.displacement, geometry.gradient);
-    for (int i = 0; i < D; ++i) f[i][i] += 1.0;
+    const Matrix<D, Lanes> f = deformation<D, Degree>(in, geometry);
     with_law(*solid, in, [&](const auto& law) {
       result.elastic += weight * law.energy(f);
       result.dissipated += law.dissipation(weight, f, l);
     });
   }
   return result;
+}
+
+/// Kinetic and elastic. A point that would have turned over stores what it stores `before`.
+template <int D, int Degree>
+Lanes energy_of(const CellInput<D, Degree>& in, const Elasticity* solid, const CellInput<D, Degree>& before) {
+  using E = Element<D, Degree>;
+  Lanes result{};
+  for (const typename E::Point& point : E::points()) {
+    const auto geometry = geometry_at<D, Degree>(point, in.position);
+    const Lanes weight = point.weight * geometry.determinant;
+    result += 0.5 * in.density * weight * square<D>(value_of<D, E::nodes>(in.velocity, point.value));
+    if (!solid) continue;
+    Matrix<D, Lanes> f = deformation<D, Degree>(in, geometry);
+    const Matrix<D, Lanes> f_before = deformation<D, Degree>(before, geometry);
+    const Lanes j = determinant<D>(f);
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < D; ++k) f[i][k] = j > 0 ? f[i][k] : f_before[i][k];
+    }
+    with_law(*solid, in, [&](const auto& law) { result += weight * law.energy(f); });
+  }
+  return result;
+}
+
+/// Adds to all that moves what it did in the last step, times `steps`.
+template <int D, int Degree>
+void go_on(const State& state, const CellBatches& batches, std::size_t batch, double steps, CellInput<D, Degree>& in) {
+  const bool is_fluid = batches.batches[batch].solid < 0;
+  const std::int32_t* dofs = batches.velocity_dofs_of(batch);
+  for (int a = 0; a < CellInput<D, Degree>::nodes; ++a) {
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const std::size_t first = static_cast<std::size_t>(dofs[a * lane_count + lane]) * D;
+      for (int k = 0; k < D; ++k) {
+        const std::size_t i = first + k;
+        const double way = state.displacement.values[i] - state.displacement_before.values[i];
+        in.velocity[a][k][lane] += steps * (state.velocity.values[i] - state.velocity_before.values[i]);
+        (is_fluid ? in.position : in.displacement)[a][k][lane] += steps * way;
+      }
+    }
+  }
 }
 
 /// Kinetic energy that flows in through the facets opposite to a corner [W].
@@ -74,12 +119,26 @@ EnergyRates sum_energy(const FsiSolver& solver, const OpenFacets& open) {
   const Continuum& continuum = solver.continuum();
   const StageFields& fields = solver.assembly().fields();
   EnergyRates total;
+  const Stage& stage = fields.stage();
+  total.kept.share = stage.ahead;
   CellInput<D, Degree> in{};
   for (std::size_t batch = 0; batch < continuum.batches.batches.size(); ++batch) {
     const auto& [solid, active, cells] = continuum.batches.batches[batch];
     fields.gather(continuum.batches, batch, in);
-    const BatchEnergy part = cell_energy<D, Degree>(
-        in, solver.settings().viscosity, solid < 0 ? nullptr : &continuum.elasticity[solid], solver.settings().gravity);
+    const Elasticity* law = solid < 0 ? nullptr : &continuum.elasticity[solid];
+    const BatchEnergy part = cell_energy<D, Degree>(in, solver.settings().viscosity, law, solver.settings().gravity);
+    const auto energy_after = [&, active = active](double steps) {  // the stage's
+      CellInput<D, Degree> other = in;
+      go_on<D, Degree>(solver.state(), continuum.batches, batch, steps, other);
+      return sum_active(energy_of<D, Degree>(other, law, in), active);
+    };
+    const double to_end = 1 - stage.weight, now = energy_after(to_end);
+    total.kept.now += now;
+    if (stage.ahead > 0) {
+      const double next = energy_after(to_end + 1) - now, last = energy_after(to_end - 1) - now;
+      total.kept.slope += 0.5 * (next - last);
+      total.kept.curve += 0.5 * (next + last);
+    }
     total.kinetic += sum_active(part.kinetic, active);
     total.elastic += sum_active(part.elastic, active);
     total.supplied += sum_active(part.supplied, active);
@@ -123,7 +182,8 @@ EnergyRates energy(const FsiSolver& solver, const OpenFacets& open) {
   for (std::size_t i = 0; i < assembly.outer_forces().size(); ++i) {
     total.supplied += assembly.outer_forces()[i] * velocity[i];
   }
-  double* values[] = {&total.kinetic, &total.elastic, &total.supplied, &total.dissipated};
+  double* values[] = {&total.kinetic,  &total.elastic,    &total.supplied,  &total.dissipated,
+                      &total.kept.now, &total.kept.slope, &total.kept.curve};
   for (double* value : values) {
     MPI_Allreduce(MPI_IN_PLACE, value, 1, MPI_DOUBLE, MPI_SUM, solver.continuum().mesh->comm);
   }

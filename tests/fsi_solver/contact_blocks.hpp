@@ -39,12 +39,46 @@ inline FlowSettings block_settings(Elements elements) {
   return flow;
 }
 
+/// No gravity and no wall: zero tractions all around.
+inline FlowSettings free_blocks(Elements elements) {
+  FlowSettings flow;
+  flow.elements = elements;
+  flow.density = 1;
+  flow.viscosity = 1e-3;
+  flow.newton_tolerance = 1e-12;
+  for (const char* region : {"low", "high"}) {
+    SolidMaterial tissue;
+    tissue.region = region;
+    tissue.young_modulus = 2000;
+    tissue.density = 1000;
+    flow.solids.push_back(tissue);
+  }
+  for (const char* group : {"left", "right"}) {
+    flow.boundaries.emplace_back().group = group;
+    flow.boundaries.back().kind = FlowBoundaryKind::pressure;
+  }
+  flow.contact = ContactMedium{.young_modulus = 2000};
+  return flow;
+}
+
 /// Marks the layer.
 inline std::vector<char> cells_between(const FsiSolver& solver) {
   const mesh::Mesh& mesh = *solver.continuum().mesh;
   std::vector<char> marks(mesh.num_cells());
   for (std::size_t cell = 0; cell < marks.size(); ++cell) marks[cell] = mesh.cell_region[cell] == 1;
   return marks;
+}
+
+/// The upper block comes down on the lower one, and a little sideways.
+inline void start(FsiSolver& solver, double speed) {
+  State state = solver.state();
+  for (std::int32_t dof = 0; dof < solver.velocity_space().num_dofs(); ++dof) {
+    if (solver.continuum().reference_points[2 * static_cast<std::size_t>(dof) + 1] < 0.0059) continue;
+    state.velocity.at(dof)[0] = 0.3 * speed;
+    state.velocity.at(dof)[1] = -speed;
+  }
+  state.velocity_before = state.velocity;
+  solver.set_state(state);
 }
 
 /// Steps that converged before one that did not.

@@ -1,5 +1,3 @@
-#include "coupling/monitors/energy_balance.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,15 +8,7 @@
 using namespace vocalis;
 using namespace vocalis::coupling;
 
-TEST_CASE("the balance integrates a power by the trapezoidal rule from rest on") {
-  EnergyBalance balance;
-  for (const double time : {0.5, 0.7, 1.5, 2.0}) balance.advance(time, 3 * time);
-  CHECK(balance.work == Approx(6));
-  CHECK(balance.time == 2);
-  CHECK(balance.power == 6);
-}
-
-TEST_CASE("the energies of a bar that falls and swings balance, the better the smaller the step") {
+TEST_CASE("the energies of a bar that falls and swings balance, the better the smaller the step, and BDF2 makes none") {
   auto scene = test::box_scene({2, 1, 0}, {4, 2, 0}, [](const fem::Point&) { return RegionKind::solid; });
   fsi::FlowSettings settings;
   settings.elements = fsi::Elements::p2p1;
@@ -30,29 +20,29 @@ TEST_CASE("the energies of a bar that falls and swings balance, the better the s
   energies.kind = MonitorKind::energy;
   energies.name = "energy";
   for (const fsi::TimeScheme scheme : {fsi::TimeScheme::theta, fsi::TimeScheme::bdf2}) {
-    double residual[2], largest = 0;
+    double residual[2], largest = 0, rise = 0;
     for (int i = 0; i < 2; ++i) {
       const double step = i == 0 ? 0.004 : 0.002;
       fsi::FsiSolver flow(scene->flow->mesh, settings, {.end = 1, .step = step, .scheme = scheme});
       Monitors monitors(flow, {energies});
       REQUIRE_ON_ALL_RANKS(monitors.columns().size() == 5);
-      std::vector<double> values;
+      std::vector<double> values(5, 0.0);
       for (int n = 0; n < (i == 0 ? 20 : 40); ++n) {
         REQUIRE_ON_ALL_RANKS(flow.try_step(step).converged);
         flow.accept();
         monitors.follow_step();
+        const double before = values[4];
         values = monitors.evaluate();
+        rise = std::max(rise, values[4] - before);
         largest = std::max(largest, values[0] + values[1]);
       }
       CHECK(values[0] > 0);
       CHECK(values[1] > 0);
       CHECK(values[3] > 0);
-      CHECK(values[0] + values[1] - monitors.balance().work == Approx(values[4]).margin(1e-9 * largest));
-      const double behind = scheme == fsi::TimeScheme::theta ? 0.5 * step : 0;
-      CHECK(monitors.balance().time == Approx(flow.time() - behind));
       residual[i] = std::abs(values[4]);
     }
-    INFO("residuals " << residual[0] << " and " << residual[1] << " of " << largest << " J");
+    INFO("residuals " << residual[0] << " and " << residual[1] << " of " << largest << " J, rise " << rise);
+    CHECK(rise < (scheme == fsi::TimeScheme::bdf2 ? 1e-12 : 1e-6) * largest);
     CHECK(residual[1] < 5e-4 * largest);
     CHECK(residual[1] < 0.3 * residual[0]);
   }
