@@ -94,34 +94,59 @@ Eikonal::CellState Eikonal::state_of(std::int32_t cell, const fem::Field* distan
   const bool has_slope = state.length > 1e-12;
   for (int k = 0; k < d && has_slope; ++k) state.direction[k] = state.slope[k] / state.length;
   const double* direction = has_slope ? state.direction.data() : any_direction.data();
-  double inverse = 0;  // of the cell's length
-  for (int i = 0; i < n; ++i) inverse += 0.5 * std::abs(dot(direction, gradient + i * d, d));
-  state.viscosity = viscosity / inverse;
+  double square = 0;  // of one over the cell's length
+  for (int i = 0; i < n; ++i) square += 0.5 * std::pow(dot(direction, gradient + i * d, d), 2);
+  state.viscosity = viscosity / std::sqrt(square);
   return state;
 }
 
+/// ∇q of each corner, (corners, dimension), with what leaves through open facets: through a facet F with D growing
+/// outwards -∫_F ε (∂D/∂n)^+ q is -measure ε (∇D·∇λ_F)^- for the q of each of its corners, λ_F being one at the corner
+/// opposite to it.
+std::array<double, 12> Eikonal::test_gradients(std::int32_t cell, const CellState& state) const {
+  const int d = space_->mesh->dimension, n = d + 1;
+  const double* gradient = gradients_.data() + static_cast<std::size_t>(cell) * n * d;
+  std::array<double, 12> test;
+  std::copy_n(gradient, n * d, test.begin());
+  for (int f = 0; f < n; ++f) {
+    if (!is_open_[static_cast<std::size_t>(cell) * n + f] || dot(state.slope.data(), gradient + f * d, d) >= 0)
+      continue;
+    for (int i = 0; i < n * d; ++i) test[i] += i / d == f ? 0.0 : gradient[f * d + i % d];
+  }
+  return test;
+}
+
+/// ∫ ε n·∇(θ q) of `distance`.
+void Eikonal::compute_source(const fem::Field& distance, double viscosity, std::span<const double> smoothness) {
+  const mesh::Mesh& mesh = *space_->mesh;
+  const int d = mesh.dimension;
+  source_.assign(space_->num_dofs(), 0.0);
+  for (std::int32_t cell = 0; cell < mesh.num_cells() && !smoothness.empty(); ++cell) {
+    const auto dofs = space_->dofs_of(cell);
+    if (dofs[0] < 0) continue;
+    const CellState state = state_of(cell, &distance, viscosity);
+    const std::array<double, 12> test = test_gradients(cell, state);
+    const double weight = measures_[cell] * state.viscosity;
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+      source_[dofs[i]] += smoothness[dofs[i]] * weight * dot(&test[i * d], state.direction.data(), d);
+    }
+  }
+}
+
 /// With a distance: Newton's matrix and minus the residual. Without: Poisson's equation with a source of one.
-///
-/// What leaves through an open facet F with D growing outwards, -∫_F ε (∂D/∂n)^+ q, is -measure ε (∇D·∇λ_F)^- for the
-/// q of each of its corners, λ_F being one at the corner opposite to it. It joins ∇q in `test`.
 void Eikonal::assemble(const fem::Field* distance, double viscosity, std::span<const char> is_zero,
                        Vec right_hand_side) {
   const mesh::Mesh& mesh = *space_->mesh;
   const int d = mesh.dimension, n = d + 1;
   values_.assign(static_cast<std::size_t>(mesh.num_cells()) * n * n, 0.0);
   fem::Load load(*space_, 1);
+  if (distance) std::copy(source_.begin(), source_.end(), load.values.begin());
   for (std::int32_t cell = 0; cell < mesh.num_cells(); ++cell) {
     const auto dofs = space_->dofs_of(cell);
     if (dofs[0] < 0) continue;
     const CellState state = state_of(cell, distance, viscosity);
     const double* gradient = gradients_.data() + static_cast<std::size_t>(cell) * n * d;
-    std::array<double, 12> test;
-    std::copy_n(gradient, n * d, test.begin());
-    for (int f = 0; f < n; ++f) {
-      if (!is_open_[static_cast<std::size_t>(cell) * n + f] || dot(state.slope.data(), gradient + f * d, d) >= 0)
-        continue;
-      for (int i = 0; i < n * d; ++i) test[i] += i / d == f ? 0.0 : gradient[f * d + i % d];
-    }
+    const std::array<double, 12> test = test_gradients(cell, state);
     const double mean = measures_[cell] / n, weight = measures_[cell] * state.viscosity;
     double* matrix = values_.data() + static_cast<std::size_t>(cell) * n * n;
     for (int i = 0; i < n; ++i) {
@@ -182,7 +207,7 @@ void Eikonal::start(std::span<const char> is_zero, fem::Field& distance, Eikonal
 
 EikonalReport Eikonal::solve(std::span<const double> coordinates, std::span<const char> is_zero,
                              std::span<const SymmetryPlane> planes, const EikonalSettings& settings,
-                             fem::Field& distance) {
+                             std::span<const double> smoothness, fem::Field& distance) {
   space_->mesh->dimension == 2 ? compute_cells<2>(coordinates) : compute_cells<3>(coordinates);
   find_open_facets(coordinates, planes);
   std::vector<PetscInt> constrained;
@@ -199,6 +224,7 @@ EikonalReport Eikonal::solve(std::span<const double> coordinates, std::span<cons
   EikonalReport report;
   distance.copy_to_ghosts();
   if (largest_of(distance) == 0) start(is_zero, distance, report);
+  compute_source(distance, settings.viscosity, smoothness);
   const la::PetscVector right_hand_side = la::create_vector(layout_.comm(), layout_.num_owned());
   fem::Field change(*space_, 1);
   while (report.iterations < settings.largest_iterations) {

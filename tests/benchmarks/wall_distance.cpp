@@ -1,7 +1,8 @@
 // The distance from walls by the Eikonal equation, cold and beginning with the last one after the mesh has shrunk
 // across by a tenth of a cell, beside the direct one: errors against the exact distance, over the largest, and seconds.
 // Run with the release preset on 1 and 2 ranks:
-//   mpirun -n 2 benchmark_wall_distance [-dimension 2] [-levels 4]
+//   mpirun -n 2 benchmark_wall_distance [-dimension 2] [-levels 4] [-corrections 2] [-irregular]
+// With -irregular only the L-shape, its inner vertices moved by up to a fifth of a brick.
 #include "contact/wall_distance.hpp"
 
 #include <fmt/format.h>
@@ -45,8 +46,9 @@ double milliseconds(MPI_Comm comm, Run run) {
   return 1e3 * shortest;
 }
 
-void measure(const Scene& scene, int dimension, int refinement) {
-  const SceneMesh built = build(scene, dimension, refinement);
+void measure(const Scene& scene, int dimension, int refinement, const EikonalSettings& settings, bool is_irregular) {
+  SceneMesh built = build(scene, dimension, refinement);
+  if (is_irregular) shake(built, refinement);
   const fem::Space space = built.space();
   const auto& points = built.mesh.coordinates;
   std::vector<double> moved = points;
@@ -54,10 +56,11 @@ void measure(const Scene& scene, int dimension, int refinement) {
   Eikonal eikonal(space);
   EikonalReport cold, warm;
   WallDistance by_equation, directly;
-  const double cold_time = milliseconds(
-      built.mesh.comm, [&] { by_equation = eikonal_distance(eikonal, space, built.walls, points, {}, {}, {}, cold); });
+  const double cold_time = milliseconds(built.mesh.comm, [&] {
+    by_equation = eikonal_distance(eikonal, space, built.walls, points, {}, settings, {}, cold);
+  });
   const double warm_time = milliseconds(built.mesh.comm, [&] {
-    eikonal_distance(eikonal, space, built.walls, moved, {}, {}, by_equation.distance.values, warm);
+    eikonal_distance(eikonal, space, built.walls, moved, {}, settings, by_equation.distance.values, warm);
   });
   const double direct_time = milliseconds(
       built.mesh.comm, [&] { directly = direct_distance(space, built.walls, points, {}, 10 * scene.length); });
@@ -80,11 +83,17 @@ void measure(const Scene& scene, int dimension, int refinement) {
 int main(int argc, char** argv) {
   using namespace vocalis::contact;
   const vocalis::base::Session session(argc, argv);
-  PetscInt dimension = 2, levels = 4;
+  PetscInt dimension = 2, levels = 4, corrections = EikonalSettings{}.corrections;
+  PetscBool is_irregular = PETSC_FALSE;
   vocalis::base::check(PetscOptionsGetInt(nullptr, nullptr, "-dimension", &dimension, nullptr));
   vocalis::base::check(PetscOptionsGetInt(nullptr, nullptr, "-levels", &levels, nullptr));
+  vocalis::base::check(PetscOptionsGetInt(nullptr, nullptr, "-corrections", &corrections, nullptr));
+  vocalis::base::check(PetscOptionsHasName(nullptr, nullptr, "-irregular", &is_irregular));
+  const EikonalSettings settings{.corrections = static_cast<int>(corrections)};
   for (const Scene* scene : {&channel_scene, &discs_scene, &l_scene, &wedge_scene<5>, &gap_scene}) {
-    for (int level = 0; level < levels; ++level) measure(*scene, dimension, (dimension == 3 ? 2 : 4) << level);
+    for (int level = 0; level < levels && (!is_irregular || scene == &l_scene); ++level) {
+      measure(*scene, dimension, (dimension == 3 ? 2 : 4) << level, settings, is_irregular);
+    }
   }
   return 0;
 }
