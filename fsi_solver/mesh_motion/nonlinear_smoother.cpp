@@ -117,13 +117,35 @@ double NonlinearSmoother::longest_part(bool pushes, const MeshEnergy::Change& wh
   return 0;
 }
 
+/// Newton's step climbs where the mesh buckles: it leads back to an equilibrium that has become a saddle. The opposite
+/// step leads down, away from it.
+MeshEnergy::Change NonlinearSmoother::turn_step() {
+  for (double& value : step_.values) value = -value;
+  slope_ = -slope_;
+  return energy_.change(now_, after(1));
+}
+
+/// How often a step that leads away from a saddle can be gone, while the energy sinks, if this part of it can.
+double NonlinearSmoother::downhill(double part) const {
+  double sunk = energy_.change(now_, after(part)).energy;
+  for (double longer = 2 * part; longer <= 64; longer *= 2) {
+    const MeshEnergy::Change change = energy_.change(now_, after(longer));
+    if (change.volume < kept_volume || change.energy >= sunk) break;
+    part = longer;
+    sunk = change.energy;
+  }
+  return part;
+}
+
 /// One step. Returns whether the search is over.
 bool NonlinearSmoother::iterate(SmootherReport& report) {
   if (factors_ == Factors::none) factor(Factors::exact, report);
   ++report.iterations;
   const bool pushes = !arrived_ && settled_;
   const bool has_step = find_step(pushes);
-  const MeshEnergy::Change whole = energy_.change(now_, after(1));
+  MeshEnergy::Change whole = energy_.change(now_, after(1));
+  const bool turns = has_step && !pushes && factors_ == Factors::exact && slope_ > 0 && whole.size > small_step;
+  if (turns) whole = turn_step();
   const double part = has_step ? longest_part(pushes, whole) : 0;
   if (part < shortest_part && factors_ != Factors::convex) {
     factor(factors_ == Factors::kept ? Factors::exact : Factors::convex, report);
@@ -134,11 +156,11 @@ bool NonlinearSmoother::iterate(SmootherReport& report) {
     factors_ = Factors::none;
     return true;
   }
-  now_ = after(part);
+  now_ = after(turns ? downhill(part) : part);
   arrived_ = arrived_ || (pushes && part == 1);
-  settled_ = part == 1 && whole.size <= settled_step;
+  settled_ = part == 1 && !turns && whole.size <= settled_step;
   const Factors used = std::exchange(factors_, Factors::none);
-  if (part < 1 || used == Factors::convex) return false;
+  if (part < 1 || turns || used == Factors::convex) return false;
   // Newton's method squares the error, kept factors shrink it as they did in the step before.
   const double ratio = last_size_ > 0 ? whole.size / last_size_ : 1.0;
   const double error = whole.size * (used == Factors::exact ? whole.size : ratio);

@@ -57,6 +57,8 @@ class NonlinearSmoother {
   bool iterate(SmootherReport& report);
   void factor(Factors kind, SmootherReport& report);
   bool find_step(bool pushes);
+  MeshEnergy::Change turn_step();
+  double downhill(double part) const;
   double longest_part(bool pushes, const MeshEnergy::Change& whole) const;
   fem::Field after(double part) const;
 

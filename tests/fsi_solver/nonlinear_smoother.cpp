@@ -253,6 +253,23 @@ TEST_CASE("a start with inverted cells is as good as none") {
   CHECK(largest_difference(one, other) < 1e-8);
 }
 
+TEST_CASE("a mesh that buckles leaves the saddle where it stood") {
+  const Room room(2, 12, true);
+  for (const double shift : {-0.4, 0.0, 0.4}) {
+    NonlinearSmoother smoother(room.continuum, room.conditions, 1);
+    fem::Field last = room.at_rest();
+    for (double angle = 4; angle <= 180; angle += 4) {
+      fem::Field next = room.moved(angle, shift);
+      const SmootherReport report = smoother.extend(next, last);
+      INFO("angle " << angle << " shift " << shift << ": " << report.iterations << " iterations " << report.reason);
+      CHECK(report.converged);
+      CHECK(report.iterations <= 40);
+      CHECK(report.smallest_quality > 0.02);
+      last = next;
+    }
+  }
+}
+
 TEST_CASE("solids that leave no room for the mesh end the search with a reason") {
   const Room room(2, 6);
   NonlinearSmoother smoother(room.continuum, room.conditions, 1);
