@@ -134,7 +134,7 @@ double FsiSolver::set_contact(std::span<const char> in_contact, std::span<const 
   in.state.contact_normals = in.continuum.contact_normals;
   fem::Field smooth = at_vertices(in.continuum, in.state.displacement);
   const std::vector<double> here = smooth.values;
-  in.motion->begin_step(smooth);
+  in.motion->begin_step(smooth, {});
   in.motion->extend(smooth);
   in.state.mesh_offset.resize(here.size());
   for (std::size_t i = 0; i < here.size(); ++i) in.state.mesh_offset[i] = here[i] - smooth.values[i];

@@ -31,8 +31,11 @@ void MeshFollower::rebuild() {
   }
 }
 
-void MeshFollower::begin_step(const fem::Field& displacement) {
-  if (nonlinear_) start_.values = displacement.values;
+void MeshFollower::begin_step(const fem::Field& displacement, std::span<const double> offset) {
+  if (!nonlinear_) return;
+  start_.values = displacement.values;
+  for (std::size_t i = 0; i < offset.size(); ++i) start_.values[i] -= offset[i];
+  if (!(smallest_quality(continuum_, start_) > 0)) start_.values = displacement.values;
 }
 
 void MeshFollower::drop_factors() {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "core/base/timers.hpp"
 #include "fsi_solver/mesh_motion/mesh_motion.hpp"
@@ -22,9 +23,13 @@ class MeshFollower {
   MeshFollower(const Continuum& continuum, const Conditions& conditions, const FlowSettings& settings,
                base::Timers& timers);
 
-  /// Displacement of all vertices at the beginning of a step: searches begin there, and then at the last result. With
-  /// the non-linear smoother's factors dropped, results depend on this and on the solids to the last bit.
-  void begin_step(const fem::Field& displacement);
+  /// displacement  of all vertices at the beginning of a step
+  /// offset        (vertices, dimension) [m] of these from where the smoother had them (State::mesh_offset), or empty
+  ///
+  /// Searches begin at the difference, and then at the last result: from elsewhere they may find another of several
+  /// minima, and the mesh would jump. With the non-linear smoother's factors dropped, results depend on this and on the
+  /// solids to the last bit.
+  void begin_step(const fem::Field& displacement, std::span<const double> offset);
   void drop_factors();
   /// To be called when cells have become solid or fluid. Collective.
   void rebuild();

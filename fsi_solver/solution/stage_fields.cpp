@@ -48,7 +48,7 @@ void StageFields::begin_step(const State& state, const Stage& stage, Start start
     layout_.copy_owned_to_system(1, state.pressure.values, values.data());
   }
   if (motion_ && settings_.smoother == Smoother::nonlinear)
-    motion_->begin_step(at_vertices(continuum_, state.displacement));
+    motion_->begin_step(at_vertices(continuum_, state.displacement), state.mesh_offset);
   if (!moves_ || settings_.geometry == Geometry::implicit) return;
   for (std::size_t i = 0; i < velocity_.values.size(); ++i) {
     stage_velocity_[i] = stage_.at_stage(velocity_.values[i], state.velocity.values[i]);
