@@ -17,14 +17,6 @@ namespace {
 using mesh::Mesh;
 using mesh::NamedFacet;
 
-std::vector<NamedFacet> exterior_facets_of(const Mesh& mesh, const std::string& group) {
-  std::vector<NamedFacet> facets = mesh::facets_of_group(mesh, group);
-  std::erase_if(facets, [&](const NamedFacet& facet) {
-    return mesh.cell_neighbours[static_cast<std::size_t>(facet.cell) * (mesh.dimension + 1) + facet.index] >= 0;
-  });
-  return facets;
-}
-
 /// The axis that the normal of a facet is parallel to, or -1.
 int axis_of(const Mesh& mesh, const NamedFacet& facet) {
   const auto normal = mesh::facet_geometry(mesh, facet.cell, facet.index).normal;
@@ -133,7 +125,7 @@ std::vector<NamedFacet> wall_facets(const Continuum& continuum, const std::vecto
   };
   for (const FlowBoundary& boundary : boundaries) {
     if (holds_velocity(boundary.kind)) continue;
-    for (const NamedFacet& facet : exterior_facets_of(mesh, boundary.group)) taken[position(facet)] = 1;
+    for (const NamedFacet& facet : mesh::exterior_facets_of_group(mesh, boundary.group)) taken[position(facet)] = 1;
   }
   std::vector<NamedFacet> result = mesh::boundary_facets(mesh);
   std::erase_if(
@@ -148,7 +140,7 @@ std::vector<NamedFacet> facets_of(const Mesh& mesh, const FlowBoundary& boundary
     throw base::UserError("a boundary must name a group of facets of the mesh", boundary.group,
                           base::did_you_mean(boundary.group, mesh.group_names));
   }
-  std::vector<NamedFacet> facets = exterior_facets_of(mesh, boundary.group);
+  std::vector<NamedFacet> facets = mesh::exterior_facets_of_group(mesh, boundary.group);
   if (base::sum(mesh.comm, static_cast<std::int64_t>(facets.size())) == 0) {
     throw base::UserError("a boundary of the flow must lie where fluid or solid ends",
                           "\"" + boundary.group + "\", which has no facet there",
@@ -191,7 +183,7 @@ Conditions make_conditions(const Continuum& continuum, const FlowSettings& setti
   }
   for (const FlowBoundary& boundary : settings.boundaries) {
     if (boundary.kind != FlowBoundaryKind::symmetry) continue;
-    const std::vector<NamedFacet> facets = exterior_facets_of(mesh, boundary.group);
+    const std::vector<NamedFacet> facets = mesh::exterior_facets_of_group(mesh, boundary.group);
     std::int32_t oblique = 0;
     for (const NamedFacet& facet : facets) oblique += axis_of(mesh, facet) < 0;
     if (base::largest(mesh.comm, oblique) > 0) {
@@ -207,7 +199,7 @@ Conditions make_conditions(const Continuum& continuum, const FlowSettings& setti
   }
   for (const FlowBoundary& boundary : settings.boundaries) {
     if (holds_velocity(boundary.kind)) {
-      velocity.hold(mark_dofs(space, exterior_facets_of(mesh, boundary.group)), -1);
+      velocity.hold(mark_dofs(space, mesh::exterior_facets_of_group(mesh, boundary.group)), -1);
     }
   }
   const std::vector<NamedFacet> walls = wall_facets(continuum, settings.boundaries);

@@ -23,6 +23,14 @@ std::vector<NamedFacet> facets_of_group(const Mesh& mesh, const std::string& gro
   return result;
 }
 
+std::vector<NamedFacet> exterior_facets_of_group(const Mesh& mesh, const std::string& group) {
+  std::vector<NamedFacet> facets = facets_of_group(mesh, group);
+  std::erase_if(facets, [&](const NamedFacet& facet) {
+    return mesh.cell_neighbours[static_cast<std::size_t>(facet.cell) * (mesh.dimension + 1) + facet.index] >= 0;
+  });
+  return facets;
+}
+
 std::vector<NamedFacet> boundary_facets(const Mesh& mesh) {
   const int facets = mesh.dimension + 1;
   std::vector<std::int32_t> group_of_facet(mesh.cell_neighbours.size(), -1);

@@ -179,7 +179,12 @@ void read_time(base::Table& root, Case& config) {
   if (!config.flow) return;
   time.scheme = table.choice_or<fsi::TimeScheme>("scheme", time.scheme,
                                                  {{"theta", fsi::TimeScheme::theta}, {"bdf2", fsi::TimeScheme::bdf2}});
-  time.theta = table.number_or("theta", time.theta, base::between(0.5, 1));
+  if (time.scheme == fsi::TimeScheme::theta) {
+    time.theta = table.number_or("theta", time.theta, base::between(0.5, 1));
+  } else if (table.has("theta")) {
+    throw UserError(table.place("theta") + " belongs to scheme = \"theta\"", "scheme = \"bdf2\"",
+                    "write scheme = \"theta\", or leave theta out");
+  }
   time.smallest_step = table.number_or("smallest_dt", time.smallest_step, base::between(0, time.step), "s");
   read_adaptive_step(table, time);
 }

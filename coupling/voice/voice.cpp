@@ -66,10 +66,7 @@ AnalogyMedium medium_of(const Scene& scene, const Case& config, const acoustic::
 /// A boundary that lies elsewhere would have no effect. Collective.
 void require_boundaries(const mesh::Mesh& air, const acoustic::AcousticSettings& settings) {
   for (const acoustic::AcousticBoundary& boundary : settings.boundaries) {
-    std::int64_t count = 0;
-    for (const mesh::NamedFacet& facet : mesh::facets_of_group(air, boundary.group)) {
-      count += air.cell_neighbours[static_cast<std::size_t>(facet.cell) * (air.dimension + 1) + facet.index] < 0;
-    }
+    const auto count = static_cast<std::int64_t>(mesh::exterior_facets_of_group(air, boundary.group).size());
     if (base::sum(air.comm, count) > 0) continue;
     throw base::UserError("a boundary of [[acoustic]] \"" + settings.name + "\" must lie where its air ends",
                           "\"" + boundary.group + "\", which has no facet there",

@@ -74,6 +74,7 @@ MISTAKES = [
     scene("line without length", 'kind = "flux"\ngroup = "mouth"',
           'kind = "flux"\nfrom = [0.01, 0]\nto = [0.01, 0]', "monitor[flow].to", "another point"),
     scene("compressible with ratio one half", "poisson_ratio = 0.4", "poisson_ratio = 0.5", "incompressible = true"),
+    scene("theta without its scheme", 'scheme = "bdf2"', 'scheme = "bdf2"\ntheta = 0.5', "time.theta", "theta"),
     scene("theta below one half", 'scheme = "bdf2"', 'scheme = "theta"\ntheta = 0.3', "time.theta", "from 0.5 to 1"),
     scene("point with one coordinate", "[0.025, 0.005]", "[0.025]", "microphone[ear].position", "2 to 3"),
     scene("point off the plane", "[0.025, 0.005]", "[0.025, 0.005, 0.1]", "microphone[ear].position", "2"),

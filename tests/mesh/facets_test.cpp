@@ -53,6 +53,8 @@ TEST_CASE("an inner named facet is listed from both sides, and is no boundary") 
   for (const auto& facet : membrane) balance += mesh::facet_geometry(box, facet.cell, facet.index).normal[0];
   CHECK(base::sum(MPI_COMM_WORLD, balance) == Approx(0).margin(1e-14));
   for (const auto& facet : mesh::boundary_facets(box)) CHECK(facet.group != 4);
+  CHECK(mesh::exterior_facets_of_group(box, "membrane").empty());
+  CHECK(mesh::exterior_facets_of_group(box, "left").size() == mesh::facets_of_group(box, "left").size());
 }
 
 TEST_CASE("vertices of a side and of cells are marked on every rank that has them") {
