@@ -18,7 +18,19 @@ namespace {
 constexpr double closes_again = 0.9;    ///< of the gap at which a cell opened
 constexpr double share_of_rest = 0.5;   ///< no cell closes that is wider than this share of its gap at rest
 constexpr double pocket_width = 2;      ///< half the gap of a pocket over that of a cell that closes, at most
+constexpr double thin = 0.06;           ///< of cells beside contact that are about to be crushed, see `find_crushed`
+constexpr double nearly_flat = 0.03;    ///< of cells behind those
 constexpr double safe_clearance = 0.5;  ///< share of the clearance that walls may have used up unmeasured
+
+/// Returns how many are new.
+std::int64_t add_to(std::vector<char>& in_contact, const std::vector<char>& more) {
+  std::int64_t added = 0;
+  for (std::size_t cell = 0; cell < more.size(); ++cell) {
+    added += more[cell] && !in_contact[cell];
+    in_contact[cell] |= more[cell];
+  }
+  return added;
+}
 
 fem::Space space_on_fluid(const mesh::Mesh& mesh, std::span<const char> cell_is_fluid) {
   std::vector<std::int32_t> label(mesh.num_cells());
@@ -231,12 +243,14 @@ void ContactSearch::spread(const WallDistance& walls, std::span<const double> co
   }
   std::vector<double> width(length_.size());
   for (std::size_t cell = 0; cell < width.size(); ++cell) width[cell] = pocket_width * settings_.alpha * length_[cell];
-  const std::vector<char> pockets = find_pockets(walls, width, state.in_contact);
-  for (std::size_t cell = 0; cell < pockets.size(); ++cell) state.in_contact[cell] |= pockets[cell];
-  const std::vector<char> crushed = find_crushed(walls, width, coordinates, state.in_contact);
-  for (std::size_t cell = 0; cell < crushed.size(); ++cell) state.in_contact[cell] |= crushed[cell];
-  const std::vector<char> slivers = find_slivers(walls, state.in_contact);
-  for (std::size_t cell = 0; cell < slivers.size(); ++cell) state.in_contact[cell] |= slivers[cell];
+  add_to(state.in_contact, find_pockets(walls, width, state.in_contact));
+  add_to(state.in_contact, find_crushed(walls, width, coordinates, state.in_contact, thin));
+  // In the notch between such cells and a wall that comes down on them. Thin ones would lead along all of a channel.
+  for (std::int64_t added = 1; added > 0;) {
+    added = add_to(state.in_contact, find_crushed(walls, width, coordinates, state.in_contact, nearly_flat));
+    added = base::sum(mesh_->comm, added);
+  }
+  add_to(state.in_contact, find_slivers(walls, state.in_contact));
 }
 
 }  // namespace vocalis::contact

@@ -11,8 +11,6 @@ namespace vocalis::contact {
 
 namespace {
 
-constexpr double thinnest = 0.06;
-
 /// d! measure / longest edge^d.
 template <int D>
 double thickness(const mesh::Mesh& mesh, std::int32_t cell, std::span<const double> coordinates) {
@@ -34,7 +32,7 @@ double thickness(const mesh::Mesh& mesh, std::int32_t cell, std::span<const doub
 }  // namespace
 
 std::vector<char> find_crushed(const WallDistance& walls, std::span<const double> width,
-                               std::span<const double> coordinates, std::span<const char> in_contact) {
+                               std::span<const double> coordinates, std::span<const char> in_contact, double thinnest) {
   const fem::Space& space = *walls.distance.space;
   const mesh::Mesh& mesh = *space.mesh;
   const std::vector<std::int32_t> is_corner = contact_corners(space, in_contact);

@@ -160,7 +160,9 @@ fem::Field at_vertices(const Continuum& continuum, const fem::Field& field) {
   return result;
 }
 
-double smallest_fluid_quality(const Continuum& continuum, const std::vector<double>& coordinates) {
+double smallest_fluid_quality(const Continuum& continuum, const fem::Field& displacement) {
+  std::vector<double> coordinates = continuum.mesh->coordinates;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) coordinates[i] += displacement.values[i];
   double lowest = 1;
   for (std::int32_t cell = 0; cell < continuum.mesh->num_cells(); ++cell) {
     const std::int32_t solid = continuum.cell_solid[cell];

@@ -62,8 +62,8 @@ std::vector<std::int32_t> mark_dofs(const fem::Space& space, const std::vector<m
 /// The values of a field on the velocity's space at the vertices, on the space of the vertices.
 fem::Field at_vertices(const Continuum& continuum, const fem::Field& field);
 
-/// Smallest quality (see mesh::quality) of the fluid cells, as if straight, with their vertices at given coordinates,
-/// (vertices, dimension) [m]; 1 without fluid. Collective.
-double smallest_fluid_quality(const Continuum& continuum, const std::vector<double>& coordinates);
+/// Smallest quality (see mesh::quality) of the fluid cells, as if straight, with their vertices displaced; 1 without
+/// fluid. The displacement is on the space of the vertices, ghosts current. Collective.
+double smallest_fluid_quality(const Continuum& continuum, const fem::Field& displacement);
 
 }  // namespace vocalis::fsi

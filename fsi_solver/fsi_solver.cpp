@@ -88,7 +88,7 @@ StepReport FsiSolver::try_step(double dt) {
   report.reason = newton.reason;
   if (report.converged && in.continuum.has_solid) {
     report.smallest_quality =
-        smallest_fluid_quality(in.continuum, moved_coordinates(in.continuum, in.assembly->fields().end_displacement()));
+        smallest_fluid_quality(in.continuum, at_vertices(in.continuum, in.assembly->fields().end_displacement()));
     if (!(report.smallest_quality > 0)) {
       report.converged = false;
       report.inverted = true;
@@ -114,8 +114,7 @@ void FsiSolver::accept() {
     const std::array<double, 2> present = speeds(in.continuum, in.state.velocity);
     for (int i = 0; i < 2; ++i) in.state.largest_speeds[i] = std::max(in.state.largest_speeds[i], present[i]);
   }
-  const double left = in.settings.mesh_recovery > 0 ? std::exp(-in.tried_dt / in.settings.mesh_recovery) : 0;
-  for (double& value : in.state.mesh_offset) value *= left;
+  for (double& value : in.state.mesh_offset) value *= in.assembly->fields().offset_left();
   in.state.time += in.tried_dt;
   in.state.last_dt = std::exchange(in.tried_dt, 0);
 }
@@ -211,7 +210,7 @@ fem::Field FsiSolver::fluid_pressure() const {
 }
 
 double smallest_quality(const FsiSolver& solver) {
-  return smallest_fluid_quality(solver.continuum(), solver.current_coordinates());
+  return smallest_fluid_quality(solver.continuum(), at_vertices(solver.continuum(), solver.state().displacement));
 }
 
 }  // namespace vocalis::fsi

@@ -4,16 +4,6 @@
 
 namespace vocalis::fsi {
 
-namespace {
-
-double smallest_quality(const Continuum& continuum, const fem::Field& displacement) {
-  std::vector<double> places = continuum.mesh->coordinates;
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] += displacement.values[i];
-  return smallest_fluid_quality(continuum, places);
-}
-
-}  // namespace
-
 MeshFollower::MeshFollower(const Continuum& continuum, const Conditions& conditions, const FlowSettings& settings,
                            base::Timers& timers)
     : continuum_(continuum),
@@ -35,7 +25,7 @@ void MeshFollower::begin_step(const fem::Field& displacement, std::span<const do
   if (!nonlinear_) return;
   start_.values = displacement.values;
   for (std::size_t i = 0; i < offset.size(); ++i) start_.values[i] -= offset[i];
-  if (!(smallest_quality(continuum_, start_) > 0)) start_.values = displacement.values;
+  if (!(smallest_fluid_quality(continuum_, start_) > 0)) start_.values = displacement.values;
 }
 
 void MeshFollower::drop_factors() {
@@ -47,7 +37,7 @@ void MeshFollower::extend(fem::Field& displacement) {
   linear_->extend(displacement);
   if (!nonlinear_) return;
   const double bad =
-      std::clamp(2 * (1 - smallest_quality(continuum_, displacement) / settings_.smoother_quality), 0.0, 1.0);
+      std::clamp(2 * (1 - smallest_fluid_quality(continuum_, displacement) / settings_.smoother_quality), 0.0, 1.0);
   if (bad > 0) {
     fem::Field other = displacement;
     if (nonlinear_->extend(other, start_).converged) {
@@ -57,7 +47,7 @@ void MeshFollower::extend(fem::Field& displacement) {
       }
     }
   }
-  if (smallest_quality(continuum_, displacement) > 0) start_.values = displacement.values;
+  if (smallest_fluid_quality(continuum_, displacement) > 0) start_.values = displacement.values;
 }
 
 }  // namespace vocalis::fsi

@@ -180,9 +180,7 @@ SmootherReport NonlinearSmoother::extend(fem::Field& displacement, const fem::Fi
     if (continuum_.vertex_solid[i / d] < 0) displacement.values[i] = now_.values[i];
   }
   displacement.copy_to_ghosts();
-  std::vector<double> places = continuum_.mesh->coordinates;
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] += displacement.values[i];
-  report.smallest_quality = smallest_fluid_quality(continuum_, places);
+  report.smallest_quality = smallest_fluid_quality(continuum_, displacement);
   return report;
 }
 

@@ -7,6 +7,15 @@
 
 namespace vocalis::fsi {
 
+namespace {
+
+/// The offset of the mesh where cells opened leaves the worst cell this part of the quality that it has without.
+constexpr double kept_quality = 0.1;
+/// An offset of which less could be kept is dropped.
+constexpr double smallest_offset = 1.0 / 16;
+
+}  // namespace
+
 StageFields::StageFields(const Continuum& continuum, const FlowSettings& settings, const Conditions& conditions,
                          const Prescribed& prescribed, MeshFollower* motion)
     : continuum_(continuum),
@@ -129,6 +138,22 @@ void StageFields::move_solids() {
   }
 }
 
+/// What is left of the mesh's offset where cells opened. Walls that move on, and a smoother whose mesh buckles, may
+/// turn cells over by it: then less of it is left, for the rest of the step.
+void StageFields::add_mesh_offset() {
+  const fem::Field smooth = mesh_displacement_;
+  const double quality = smallest_fluid_quality(continuum_, smooth);
+  const double enough = quality > 0 ? kept_quality * quality : quality;
+  while (offset_left_ > 0) {
+    for (std::size_t i = 0; i < smooth.values.size(); ++i) {
+      mesh_displacement_.values[i] = smooth.values[i] + offset_left_ * state_->mesh_offset[i];
+    }
+    if (smallest_fluid_quality(continuum_, mesh_displacement_) >= enough) return;
+    offset_left_ = offset_left_ > smallest_offset ? offset_left_ / 2 : 0;
+  }
+  mesh_displacement_ = smooth;
+}
+
 /// The fluid's mesh at the end: its vertices follow the solids or a prescribed motion, and the middles of its edges lie
 /// between, but for those on solids.
 void StageFields::move_fluid_mesh() {
@@ -141,9 +166,7 @@ void StageFields::move_fluid_mesh() {
       std::copy_n(displacement_.at(continuum_.vertex_to_dof[v]), d, mesh_displacement_.at(v));
     }
     motion_->extend(mesh_displacement_);
-    for (std::size_t i = 0; i < state_->mesh_offset.size(); ++i) {
-      mesh_displacement_.values[i] += offset_left_ * state_->mesh_offset[i];
-    }
+    if (continuum_.contact >= 0) add_mesh_offset();
   }
   for (std::int32_t dof = 0; dof < space.num_dofs(); ++dof) {
     if (continuum_.dof_solid[dof] >= 0) continue;

@@ -45,12 +45,14 @@ class StageFields {
   const fem::Field& pressure() const { return pressure_; }  ///< at the stage
   const std::vector<double>& stage_velocity() const { return stage_velocity_; }
   const std::vector<double>& stage_rate() const { return stage_rate_; }
+  double offset_left() const { return offset_left_; }  ///< share of State::mesh_offset that is left at the end
 
  private:
   std::vector<double> end_coordinates() const;
   void impose_at_end(fem::Field& velocity) const;
   void move_solids();
   void move_fluid_mesh();
+  void add_mesh_offset();
   void set_stage_geometry();
   template <int D, int Degree>
   void refer_to_closing(const CellBatches::Batch& batch, CellInput<D, Degree>& in) const;
@@ -61,7 +63,7 @@ class StageFields {
   const Prescribed& prescribed_;
   MeshFollower* motion_;
   bool moves_, has_forces_;
-  double offset_left_ = 0;  ///< of the mesh's offset after the step
+  double offset_left_ = 0;
 
   la::SystemLayout layout_;
   const State* state_ = nullptr;

@@ -113,6 +113,30 @@ TEST_CASE("A pocket between closed cells closes if it is narrow, a chamber does 
   CHECK(chamber.in_contact() < 2 * all / 3);
 }
 
+/// Contact cells beyond x = 1 when a channel that is closed up to x = 0.5 and wide from x = 1.5 on has a row of cells
+/// of some height [m] at its top between.
+std::int64_t in_contact_along(double height) {
+  Channel channel(4);
+  std::vector<double> coordinates = channel.squeezed([](double x) { return x < 0.55 ? 0.1 : x < 1.55 ? 0.2 : 1.0; });
+  for (std::size_t i = 0; i < coordinates.size(); i += 2) {
+    if (coordinates[i] < 0.55 || coordinates[i] > 1.55 || coordinates[i + 1] > 0.07) continue;
+    coordinates[i + 1] *= (0.08 - height) / 0.06;
+  }
+  const ContactState state = channel.search.propose(coordinates, channel.state, channel.load).state;
+  std::int64_t count = 0;
+  for (std::int32_t cell = 0; cell < channel.mesh.num_cells(); ++cell) {
+    double middle = 0;
+    for (const std::int32_t v : channel.mesh.vertices_of(cell)) middle += coordinates[2 * v] / 3;
+    count += state.in_contact[cell] && middle > 1;
+  }
+  return base::sum(channel.mesh.comm, count);
+}
+
+TEST_CASE("Beside contact only the next thin cells close, but nearly flat ones behind them, too") {
+  CHECK(in_contact_along(0.004) == 0);
+  CHECK(in_contact_along(0.001) >= 10);
+}
+
 TEST_CASE("The gap is measured again only when the walls may have come near") {
   Channel channel(4);
   channel.move([](double) { return 0.2; });  // gap 0.08, 0.03 from closing

@@ -62,11 +62,7 @@ struct Room {
     return result;
   }
 
-  double quality(const fem::Field& displacement) const {
-    std::vector<double> places = mesh.coordinates;
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] += displacement.values[i];
-    return smallest_fluid_quality(continuum, places);
-  }
+  double quality(const fem::Field& displacement) const { return smallest_fluid_quality(continuum, displacement); }
 };
 
 inline double largest_difference(const fem::Field& a, const fem::Field& b) {
